@@ -1,0 +1,236 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "checkedEntry.H"
+#include "allowedKeys.H"
+#include "error.H"
+#include "StringStream.H"
+
+#include <cmath>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+// "is <value> but must be <demand>"
+template<class Type>
+Foam::string mustBe(const Type& value, const Foam::string& demand)
+{
+    Foam::OStringStream os;
+    os << "is " << value << " but must be " << demand.c_str();
+    return os.str();
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * Functions * * * * * * * * * * * * * * * * //
+
+void Foam::dem::badEntry
+(
+    const dictionary& dict,
+    const word& key,
+    const string& complaint
+)
+{
+    const entry* e = dict.findEntry(key, keyType::REGEX);
+
+    FatalIOError
+    (
+        FUNCTION_NAME,
+        __FILE__,
+        __LINE__,
+        dict.name(),
+        e ? e->startLineNumber() : dict.startLineNumber(),
+        e ? e->endLineNumber() : dict.endLineNumber()
+    )   << "Entry '" << key << "' in dictionary " << dict.name() << ' '
+        << complaint.c_str() << exit(FatalIOError);
+}
+
+
+Foam::scalar Foam::dem::getFinite(const dictionary& dict, const word& key)
+{
+    const scalar value = dict.get<scalar>(key);
+
+    if (!std::isfinite(value))
+    {
+        badEntry(dict, key, mustBe(value, "a finite number"));
+    }
+    return value;
+}
+
+
+Foam::scalar Foam::dem::getFinite
+(
+    const dictionary& dict,
+    const word& key,
+    scalar deflt
+)
+{
+    return dict.found(key) ? getFinite(dict, key) : deflt;
+}
+
+
+Foam::vector Foam::dem::getFiniteVector
+(
+    const dictionary& dict,
+    const word& key
+)
+{
+    const vector value = dict.get<vector>(key);
+
+    if (!std::isfinite(mag(value)))
+    {
+        badEntry(dict, key, mustBe(value, "finite"));
+    }
+    return value;
+}
+
+
+Foam::scalar Foam::dem::getPositive(const dictionary& dict, const word& key)
+{
+    const scalar value = getFinite(dict, key);
+
+    if (value <= 0)
+    {
+        badEntry(dict, key, mustBe(value, "greater than zero"));
+    }
+    return value;
+}
+
+
+Foam::scalar Foam::dem::getPositive
+(
+    const dictionary& dict,
+    const word& key,
+    scalar deflt
+)
+{
+    return dict.found(key) ? getPositive(dict, key) : deflt;
+}
+
+
+Foam::scalar Foam::dem::getNonNegative(const dictionary& dict, const word& key)
+{
+    const scalar value = getFinite(dict, key);
+
+    if (value < 0)
+    {
+        badEntry(dict, key, mustBe(value, "zero or greater"));
+    }
+    return value;
+}
+
+
+Foam::scalar Foam::dem::getNonNegative
+(
+    const dictionary& dict,
+    const word& key,
+    scalar deflt
+)
+{
+    return dict.found(key) ? getNonNegative(dict, key) : deflt;
+}
+
+
+Foam::scalar Foam::dem::getInRange
+(
+    const dictionary& dict,
+    const word& key,
+    const scalar low,
+    const scalar high
+)
+{
+    const scalar value = getFinite(dict, key);
+
+    if (value < low || value > high)
+    {
+        OStringStream range;
+        range << "from " << low << " to " << high;
+        badEntry(dict, key, mustBe(value, range.str()));
+    }
+    return value;
+}
+
+
+Foam::scalar Foam::dem::getInRange
+(
+    const dictionary& dict,
+    const word& key,
+    const scalar low,
+    const scalar high,
+    const scalar deflt
+)
+{
+    return dict.found(key) ? getInRange(dict, key, low, high) : deflt;
+}
+
+
+Foam::label Foam::dem::getLabel
+(
+    const dictionary& dict,
+    const word& key,
+    const label low
+)
+{
+    const label value = dict.get<label>(key);
+
+    if (value < low)
+    {
+        OStringStream demand;
+        demand << low << " or greater";
+        badEntry(dict, key, mustBe(value, demand.str()));
+    }
+    return value;
+}
+
+
+Foam::label Foam::dem::getLabel
+(
+    const dictionary& dict,
+    const word& key,
+    const label low,
+    const label deflt
+)
+{
+    return dict.found(key) ? getLabel(dict, key, low) : deflt;
+}
+
+
+Foam::word Foam::dem::getChoice
+(
+    const dictionary& dict,
+    const word& key,
+    const wordList& allowed
+)
+{
+    const word value(dict.get<word>(key));
+
+    if (!allowed.found(value))
+    {
+        badEntry(dict, key, mustBe(value, "one of: " + listWords(allowed)));
+    }
+    return value;
+}
+
+
+Foam::word Foam::dem::getChoice
+(
+    const dictionary& dict,
+    const word& key,
+    const wordList& allowed,
+    const word& deflt
+)
+{
+    return dict.found(key) ? getChoice(dict, key, allowed) : deflt;
+}
+
+
+// ************************************************************************* //

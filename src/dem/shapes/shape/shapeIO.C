@@ -1,0 +1,194 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "shape.H"
+#include "allowedKeys.H"
+#include "checkedEntry.H"
+#include "Fstream.H"
+#include "OSspecific.H"
+#include "StringStream.H"
+
+#include <cmath>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+// The keywords that describe a body made of spheres
+const wordList bodyKeys
+{
+    "spheres", "volume", "centreOfMass", "inertiaPerDensity", "report"
+};
+
+
+void checkSpheres
+(
+    const dictionary& dict,
+    const List<dem::shape::sphereData>& spheres
+)
+{
+    if (spheres.empty())
+    {
+        dem::badEntry
+        (
+            dict,
+            "spheres",
+            "holds no sphere: the template has zero volume"
+        );
+    }
+
+    forAll(spheres, i)
+    {
+        const scalar r = spheres[i].second();
+
+        if (!(r > 0) || !std::isfinite(r) || !std::isfinite(
+            mag(spheres[i].first())))
+        {
+            OStringStream os;
+            os  << "has in place " << i << " the sphere " << spheres[i]
+                << "; the centre must be finite, the radius greater than zero";
+            dem::badEntry(dict, "spheres", os.str());
+        }
+    }
+}
+
+
+// A solid's moments are positive, and none exceeds the sum of the other two
+void checkInertia(const dictionary& dict, const dem::massProperties& body)
+{
+    tensor axes;
+    vector m;
+    body.principalAxes(axes, m);
+
+    const scalar least = cmptMin(m);
+    const scalar most = cmptMax(m);
+    const scalar sum = cmptSum(m);
+
+    if (!(least > 0) || !std::isfinite(sum) || 2*most > sum*(1 + 1e-9))
+    {
+        OStringStream os;
+        os  << "has the principal moments " << m << ", which no solid has: "
+            << "each must be positive and at most the sum of the other two";
+        dem::badEntry(dict, "inertiaPerDensity", os.str());
+    }
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::dictionary Foam::dem::shape::readFile
+(
+    const dictionary& dict,
+    const fileName& dir
+)
+{
+    fileName file(dict.get<fileName>("file"));
+    file.expand();
+
+    if (!file.isAbsolute())
+    {
+        file = dir/file;
+    }
+
+    if (!isFile(file))
+    {
+        badEntry(dict, "file", "names the file " + file + ", which is missing");
+    }
+
+    IFstream is(file);
+    dictionary content(is);
+    checkKeys(content, bodyKeys);
+
+    return content;
+}
+
+
+void Foam::dem::shape::readMultisphere(const dictionary& dict)
+{
+    const List<sphereData> spheres(dict.get<List<sphereData>>("spheres"));
+    checkSpheres(dict, spheres);
+
+    if
+    (
+        !dict.found("volume")
+     && !dict.found("centreOfMass")
+     && !dict.found("inertiaPerDensity")
+    )
+    {
+        set(spheres, nullptr);
+        return;
+    }
+
+    massProperties body;
+    body.volume = getPositive(dict, "volume");
+    body.centroid = getFiniteVector(dict, "centreOfMass");
+    body.inertia = dict.get<symmTensor>("inertiaPerDensity");
+    checkInertia(dict, body);
+
+    set(spheres, &body);
+}
+
+
+void Foam::dem::shape::readSphere(const dictionary& dict)
+{
+    const scalar d = getPositive(dict, "diameter");
+    set(List<sphereData>(1, sphereData(Zero, 0.5*d)), nullptr);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::dem::shape::shape
+(
+    const word& name,
+    const dictionary& dict,
+    const fileName& dir,
+    const wordList& otherKeys
+)
+:
+    name_(name)
+{
+    const word type(getChoice(dict, "type", {"sphere", "multisphere"}));
+
+    wordList keys(otherKeys);
+    keys.append("type");
+
+    if (type == "sphere")
+    {
+        keys.append("diameter");
+        checkKeys(dict, keys);
+        readSphere(dict);
+        return;
+    }
+
+    // The same entries stand here or in a file
+    keys.append("file");
+    if (!dict.found("file"))
+    {
+        keys.append(bodyKeys);
+    }
+    checkKeys(dict, keys);
+
+    if (!dict.found("file") && !dict.found("spheres"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "A multisphere needs one of the entries 'file' and 'spheres'; "
+            << dict.name() << " has neither" << exit(FatalIOError);
+    }
+
+    readMultisphere(dict.found("file") ? readFile(dict, dir) : dict);
+}
+
+
+// ************************************************************************* //
