@@ -1,0 +1,237 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+\*---------------------------------------------------------------------------*/
+
+#include "closedSurface.H"
+#include "error.H"
+#include "mathematicalConstants.H"
+#include "surfaceIntegrals.H"
+
+#include <cmath>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+// Counts what is wrong and remembers where it was first
+struct finding
+{
+    label n = 0;
+    point where = Zero;
+
+    void add(const point& p)
+    {
+        if (!n++)
+        {
+            where = p;
+        }
+    }
+};
+
+
+// Solid angle of a triangle seen from p, over 4 pi: the sum over a closed
+// surface is 1 inside and 0 outside
+scalar windingShare
+(
+    const point& p,
+    const labelledTri& f,
+    const pointField& points
+)
+{
+    const vector a(points[f[0]] - p);
+    const vector b(points[f[1]] - p);
+    const vector c(points[f[2]] - p);
+    const scalar A = mag(a), B = mag(b), C = mag(c);
+
+    return std::atan2
+    (
+        a & (b ^ c),
+        A*B*C + (a & b)*C + (b & c)*A + (c & a)*B
+    )/constant::mathematical::twoPi;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::dem::closedSurface::checkTriangles() const
+{
+    const pointField& points = surface_.points();
+
+    if (surface_.empty())
+    {
+        FatalErrorInFunction
+            << "Surface " << name_ << " holds no triangle" << exit(FatalError);
+    }
+
+    finding bad, degenerate;
+
+    for (const point& p : points)
+    {
+        if (!std::isfinite(p.x() + p.y() + p.z()))
+        {
+            bad.add(p);
+        }
+    }
+    refuse(bad.n, "has corners that are not finite (NaN)", bad.where);
+
+    for (const labelledTri& f : surface_)
+    {
+        const vector ab(points[f[1]] - points[f[0]]);
+        const vector bc(points[f[2]] - points[f[1]]);
+        const vector ca(points[f[0]] - points[f[2]]);
+        const scalar longest =
+            max(max(magSqr(ab), magSqr(bc)), magSqr(ca));
+
+        if (mag(ab ^ bc) <= 1e-10*longest)
+        {
+            degenerate.add(points[f[0]]);
+        }
+    }
+    refuse
+    (
+        degenerate.n,
+        "has degenerate triangles, without area or with a corner used twice"
+        " (surfaceClean may repair it)",
+        degenerate.where
+    );
+}
+
+
+void Foam::dem::closedSurface::checkEdges() const
+{
+    const labelListList& edgeFaces = surface_.edgeFaces();
+    const edgeList& edges = surface_.edges();
+    const pointField& points = surface_.localPoints();
+
+    finding open, crowded, turned;
+
+    forAll(edges, e)
+    {
+        const labelList& faces = edgeFaces[e];
+        const point mid(edges[e].centre(points));
+
+        if (faces.size() == 1)
+        {
+            open.add(mid);
+        }
+        else if (faces.size() > 2)
+        {
+            crowded.add(mid);
+        }
+        else if
+        (
+            surface_.localFaces()[faces[0]].edgeDirection(edges[e])
+         == surface_.localFaces()[faces[1]].edgeDirection(edges[e])
+        )
+        {
+            turned.add(mid);
+        }
+    }
+
+    refuse
+    (
+        open.n,
+        "is open: it has a hole, or corners that were not merged; open edges",
+        open.where
+    );
+    refuse
+    (
+        crowded.n,
+        "is non-manifold: edges with more than two triangles",
+        crowded.where
+    );
+    refuse
+    (
+        turned.n,
+        "is of inconsistent orientation: edges with triangles that are turned"
+        " against each other (surfaceOrient may repair it)",
+        turned.where
+    );
+}
+
+
+void Foam::dem::closedSurface::checkIntersections() const
+{
+    const List<labelPair> pairs(triangleIntersections(surface_, tree()));
+
+    if (pairs.size())
+    {
+        refuse
+        (
+            pairs.size(),
+            "is self-intersecting: pairs of triangles that pierce each other",
+            surface_[pairs[0].first()].centre(surface_.points())
+        );
+    }
+}
+
+
+void Foam::dem::closedSurface::checkParts() const
+{
+    const pointField& points = surface_.points();
+
+    labelList part;
+    const label nParts =
+        surface_.markZones(boolList(surface_.nEdges(), false), part);
+    const scalarField volumes(partVolumes(surface_, part, nParts));
+
+    // A point on each part, and how often the other parts wind around it
+    List<point> seat(nParts);
+    forAll(surface_, i)
+    {
+        seat[part[i]] = surface_[i].centre(points);
+    }
+
+    for (label k = 0; k < nParts; ++k)
+    {
+        scalar winding = 0;
+
+        for (label i = 0; nParts > 1 && i < surface_.size(); ++i)
+        {
+            if (part[i] != k)
+            {
+                winding += windingShare(seat[k], surface_[i], points);
+            }
+        }
+
+        const label around = std::lround(winding);
+
+        refuse
+        (
+            volumes[k] <= 0 && around != 1,
+            "is inverted, or a part of it is: normals that point into the body"
+            " (surfaceOrient may repair it); parts with a negative volume",
+            seat[k]
+        );
+        refuse
+        (
+            volumes[k] > 0 && around != 0,
+            "has parts inside others that would be counted twice",
+            seat[k]
+        );
+    }
+}
+
+
+Foam::dem::massProperties Foam::dem::closedSurface::check() const
+{
+    checkTriangles();
+    checkEdges();
+    checkIntersections();
+    checkParts();
+
+    return surfaceIntegrals(surface_);
+}
+
+
+// ************************************************************************* //
