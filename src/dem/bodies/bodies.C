@@ -1,0 +1,212 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "bodies.H"
+
+// * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Keep the entries of a list that are not marked
+template<class Type>
+void keep(Foam::DynamicList<Type>& list, const Foam::boolList& marked)
+{
+    Foam::label n = 0;
+    forAll(list, i)
+    {
+        if (!marked[i])
+        {
+            list[n++] = list[i];
+        }
+    }
+    list.setSize(n);
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::dem::bodies::bodies(const PtrList<shape>& shapes)
+:
+    shapes_(shapes),
+    nextId_(0)
+{
+    firstSphere.append(0);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::label Foam::dem::bodies::append(const newBody& n)
+{
+    const shape& s = shapes_[n.shapeI];
+    const label b = size();
+
+    id.append(nextId_++);
+    shapeI.append(n.shapeI);
+    materialI.append(n.materialI);
+    mass.append(n.density*s.volume());
+    inertia.append(n.density*s.inertiaPerDensity());
+    x.append(n.position);
+    v.append(n.velocity);
+    q.append(unit(n.orientation*quaternion(s.toUser())));
+    omega.append(n.angularVelocity);
+    L.append(Zero);
+    vHalf.append(n.velocity);
+    omegaHalf.append(n.angularVelocity);
+    force.append(Zero);
+    torque.append(Zero);
+    fluidForce.append(Zero);
+    fluidTorque.append(Zero);
+
+    forAll(s.radii(), i)
+    {
+        sphereBody.append(b);
+        sphereX.append(Zero);
+        sphereR.append(s.radii()[i]);
+    }
+    firstSphere.append(sphereX.size());
+
+    L[b] = inertiaTensor(b) & n.angularVelocity;
+    updateSpheres(b);
+
+    return b;
+}
+
+
+void Foam::dem::bodies::remove(const boolList& marked)
+{
+    boolList sphereMarked(nSpheres());
+    forAll(sphereMarked, s)
+    {
+        sphereMarked[s] = marked[sphereBody[s]];
+    }
+
+    keep(sphereR, sphereMarked);
+    sphereX.setSize(sphereR.size());
+    sphereBody.setSize(sphereR.size());
+
+    keep(id, marked);
+    keep(shapeI, marked);
+    keep(materialI, marked);
+    keep(mass, marked);
+    keep(inertia, marked);
+    keep(x, marked);
+    keep(v, marked);
+    keep(q, marked);
+    keep(L, marked);
+    keep(omega, marked);
+    keep(vHalf, marked);
+    keep(omegaHalf, marked);
+    keep(force, marked);
+    keep(torque, marked);
+    keep(fluidForce, marked);
+    keep(fluidTorque, marked);
+
+    firstSphere.setSize(1);
+    forAll(x, b)
+    {
+        const label first = firstSphere[b];
+        const label n = shapeOf(b).radii().size();
+        for (label s = first; s < first + n; ++s)
+        {
+            sphereBody[s] = b;
+        }
+        firstSphere.append(first + n);
+        updateSpheres(b);
+    }
+}
+
+
+Foam::vector Foam::dem::bodies::omegaFrom
+(
+    const label b,
+    const vector& angularMomentum
+) const
+{
+    if (shapeOf(b).isSphere())
+    {
+        return angularMomentum/inertia[b].x();
+    }
+
+    const vector Lb = q[b].invTransform(angularMomentum);
+    return q[b].transform(cmptDivide(Lb, inertia[b]));
+}
+
+
+Foam::tensor Foam::dem::bodies::inertiaTensor(const label b) const
+{
+    const tensor R = q[b].R();
+    const vector& I = inertia[b];
+    return R & tensor(I.x(), 0, 0, 0, I.y(), 0, 0, 0, I.z()) & R.T();
+}
+
+
+void Foam::dem::bodies::updateSpheres(const label b)
+{
+    const shape& s = shapeOf(b);
+    const label first = firstSphere[b];
+
+    if (s.isSphere())
+    {
+        sphereX[first] = x[b];
+        return;
+    }
+
+    const tensor R = q[b].R();
+    const pointField& centres = s.centres();
+    forAll(centres, i)
+    {
+        sphereX[first + i] = x[b] + (R & centres[i]);
+    }
+}
+
+
+void Foam::dem::bodies::update()
+{
+    forAll(x, b)
+    {
+        omega[b] = omegaFrom(b, L[b]);
+        updateSpheres(b);
+    }
+}
+
+
+Foam::quaternion Foam::dem::bodies::userOrientation(const label b) const
+{
+    return unit(q[b]*conjugate(quaternion(shapeOf(b).toUser())));
+}
+
+
+Foam::scalar Foam::dem::bodies::kineticEnergy() const
+{
+    scalar e = 0;
+    forAll(x, b)
+    {
+        e += 0.5*mass[b]*magSqr(v[b]) + 0.5*(L[b] & omega[b]);
+    }
+    return e;
+}
+
+
+Foam::vector Foam::dem::bodies::momentum() const
+{
+    vector p(Zero);
+    forAll(x, b)
+    {
+        p += mass[b]*v[b];
+    }
+    return p;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,146 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "demSolver.H"
+#include "allowedKeys.H"
+#include "checkedEntry.H"
+#include "unitConversion.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace dem
+{
+    defineTypeNameAndDebug(demSolver, 0);
+    defineRunTimeSelectionTable(demSolver, input);
+}
+}
+
+
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+Foam::PtrList<Foam::dem::shape> Foam::dem::demSolver::readShapes
+(
+    const demInput& input
+)
+{
+    const dictionary& dict = input.dict.subDict("shapes");
+
+    PtrList<shape> shapes;
+    for (const word& name : dict.sortedToc())
+    {
+        shapes.append
+        (
+            new shape(name, dict.subDict(name), input.directory)
+        );
+    }
+    if (shapes.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "There is no shape." << nl
+            << "    Give each one as  NAME { type sphere; diameter 0.01; }"
+            << exit(FatalIOError);
+    }
+    return shapes;
+}
+
+
+void Foam::dem::demSolver::readBodies()
+{
+    if (!input_.dict.found("bodies") || input_.restart)
+    {
+        return;
+    }
+
+    wordList names(shapes_.size());
+    forAll(shapes_, i)
+    {
+        names[i] = shapes_[i].name();
+    }
+
+    const dictionary& dict = input_.dict.subDict("bodies");
+    for (const word& name : dict.toc())
+    {
+        const dictionary& d = dict.subDict(name);
+        checkKeys
+        (
+            d,
+            {
+                "shape", "material", "position", "velocity",
+                "angularVelocity", "rotation"
+            }
+        );
+
+        newBody n;
+        n.shapeI = names.find(getChoice(d, "shape", names));
+        n.materialI = materials_.findOfBody(d, "material");
+        n.density = materials_.density(n.materialI);
+        n.position = getFiniteVector(d, "position");
+        if (d.found("velocity"))
+        {
+            n.velocity = getFiniteVector(d, "velocity");
+        }
+        if (d.found("angularVelocity"))
+        {
+            n.angularVelocity = getFiniteVector(d, "angularVelocity");
+        }
+        if (d.found("rotation"))
+        {
+            const Tuple2<vector, scalar> turn
+            (
+                d.get<Tuple2<vector, scalar>>("rotation")
+            );
+            if (mag(turn.first()) < SMALL)
+            {
+                badEntry(d, "rotation", "the axis has no length");
+            }
+            n.orientation = quaternion(turn.first(), degToRad(turn.second()));
+        }
+        state_.append(n);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::dem::demSolver::demSolver
+(
+    const demInput& input,
+    const contactLaws* laws
+)
+:
+    input_(input),
+    shapes_(readShapes(input)),
+    materials_(input.dict, laws),
+    state_(shapes_)
+{
+    readBodies();
+}
+
+
+// * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::dem::demSolver> Foam::dem::demSolver::New
+(
+    const demInput& input
+)
+{
+    const word type = getChoice
+    (
+        input.dict,
+        "demSolver",
+        inputConstructorTablePtr_->sortedToc()
+    );
+    return (*inputConstructorTablePtr_)[type](input);
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,198 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "materials.H"
+#include "allowedKeys.H"
+#include "checkedEntry.H"
+#include "DynamicList.H"
+#include "ListOps.H"
+#include "mathematicalConstants.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::dem::materials::readMaterials(const dictionary& dict)
+{
+    names_ = dict.sortedToc();
+    if (names_.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "There is no material." << nl
+            << "    Give each one as  NAME { density 2650; youngsModulus 1e8;"
+            << " poissonsRatio 0.3; }" << exit(FatalIOError);
+    }
+
+    for (const word& name : names_)
+    {
+        const dictionary& d = dict.subDict(name);
+        checkKeys(d, {"density", "youngsModulus", "poissonsRatio"});
+
+        density_.append(d.found("density") ? getPositive(d, "density") : 0);
+        E_.append(getPositive(d, "youngsModulus"));
+        nu_.append(getInRange(d, "poissonsRatio", 0, 0.5));
+    }
+}
+
+
+Foam::dem::pairProperties Foam::dem::materials::readPair
+(
+    const dictionary& dict,
+    const label i,
+    const label j,
+    const contactLaws& laws
+) const
+{
+    checkKeys(dict, laws.pairKeys());
+
+    pairProperties p;
+
+    p.EStar = 1/((1 - sqr(nu_[i]))/E_[i] + (1 - sqr(nu_[j]))/E_[j]);
+    p.GStar =
+        1
+       /(
+            (2 - nu_[i])*2*(1 + nu_[i])/E_[i]
+          + (2 - nu_[j])*2*(1 + nu_[j])/E_[j]
+        );
+
+    const wordList keys(laws.pairKeys());
+
+    if (keys.found("friction"))
+    {
+        p.friction = getNonNegative(dict, "friction");
+    }
+    if (keys.found("normalDamping"))
+    {
+        p.normalDamping = getNonNegative(dict, "normalDamping");
+    }
+    if (keys.found("tangentialDamping"))
+    {
+        p.tangentialDamping = getNonNegative(dict, "tangentialDamping");
+    }
+    if (keys.found("restitution"))
+    {
+        const scalar e = getInRange(dict, "restitution", 0, 1);
+        if (e < 1e-3)
+        {
+            badEntry
+            (
+                dict,
+                "restitution",
+                "no finite damping gives less than 0.001: give 0.001 to 1"
+            );
+        }
+        const scalar l = -log(e);
+        p.beta = l/sqrt(sqr(constant::mathematical::pi) + sqr(l));
+    }
+
+    return p;
+}
+
+
+void Foam::dem::materials::readPairs
+(
+    const dictionary& dict,
+    const contactLaws& laws
+)
+{
+    const label n = names_.size();
+    pairs_.setSize(n*n);
+
+    DynamicList<word> allowed;
+    for (label i = 0; i < n; ++i)
+    {
+        for (label j = 0; j < n; ++j)
+        {
+            allowed.append(names_[i] + '-' + names_[j]);
+        }
+    }
+    checkKeys(dict, wordList(allowed));
+
+    for (label i = 0; i < n; ++i)
+    {
+        for (label j = i; j < n; ++j)
+        {
+            word key = names_[i] + '-' + names_[j];
+            if (!dict.found(key))
+            {
+                key = names_[j] + '-' + names_[i];
+            }
+
+            if (dict.found(key))
+            {
+                pairs_[i*n + j] = readPair(dict.subDict(key), i, j, laws);
+                pairs_[j*n + i] = pairs_[i*n + j];
+            }
+            else if (density_[i] > 0 || density_[j] > 0)
+            {
+                FatalIOErrorInFunction(dict)
+                    << "The pair of materials " << names_[i] << " and "
+                    << names_[j] << " is missing." << nl
+                    << "    Add  " << names_[i] << '-' << names_[j]
+                    << "  with the entries " << flatOutput(laws.pairKeys())
+                    << exit(FatalIOError);
+            }
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::dem::materials::materials
+(
+    const dictionary& dict,
+    const contactLaws* laws
+)
+{
+    readMaterials(dict.subDict("materials"));
+
+    if (laws)
+    {
+        readPairs(dict.subDict("pairs"), *laws);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::label Foam::dem::materials::find
+(
+    const dictionary& dict,
+    const word& key
+) const
+{
+    return names_.find(getChoice(dict, key, names_));
+}
+
+
+Foam::label Foam::dem::materials::findOfBody
+(
+    const dictionary& dict,
+    const word& key
+) const
+{
+    const label i = find(dict, key);
+    if (density_[i] <= 0)
+    {
+        badEntry(dict, key, "a body needs a material with a density");
+    }
+    return i;
+}
+
+
+Foam::scalar Foam::dem::materials::rayleighTimePerRadius(const label i) const
+{
+    const scalar G = E_[i]/(2*(1 + nu_[i]));
+    return
+        constant::mathematical::pi*sqrt(density_[i]/G)
+       /(0.1631*nu_[i] + 0.8766);
+}
+
+
+// ************************************************************************* //

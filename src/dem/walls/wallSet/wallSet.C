@@ -1,0 +1,167 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "wallSet.H"
+
+#include <algorithm>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::dem::wallSet::select
+(
+    DynamicList<wallTouch>& found,
+    const scalar radius
+)
+{
+    std::stable_sort
+    (
+        found.begin(),
+        found.end(),
+        [](const wallTouch& a, const wallTouch& b)
+        {
+            return a.overlap > b.overlap;
+        }
+    );
+
+    const label first = trial_.size();
+
+    for (const wallTouch& t : found)
+    {
+        bool standsOut = true;
+        for (label k = first; k < trial_.size() && standsOut; ++k)
+        {
+            // The tolerance is above the round-off of coordinates in a
+            // surface file, and far below what a corner stands out
+            standsOut =
+                ((t.p - trial_[k].p) & trial_[k].n) > 1e-4*radius;
+        }
+        if (standsOut)
+        {
+            trial_.append(t);
+        }
+    }
+}
+
+
+void Foam::dem::wallSet::inherit()
+{
+    label first = 0;
+    for (wallTouch& t : trial_)
+    {
+        while
+        (
+            first < touches_.size() && touches_[first].sphere < t.sphere
+        )
+        {
+            ++first;
+        }
+
+        // The contact of the same wall whose normal has turned least; a
+        // right angle is another side of the wall
+        scalar best = SMALL;
+        for
+        (
+            label k = first;
+            k < touches_.size() && touches_[k].sphere == t.sphere;
+            ++k
+        )
+        {
+            const scalar cosine = touches_[k].n & t.n;
+            if (touches_[k].wallI == t.wallI && cosine > best)
+            {
+                best = cosine;
+                t.xi = touches_[k].xi;
+            }
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dem::wallSet::build(const bodies& state, const scalar skin)
+{
+    near_.clear();
+
+    DynamicList<label> elements;
+    forAll(state.sphereX, s)
+    {
+        forAll(walls_, w)
+        {
+            elements.clear();
+            walls_[w].candidates
+            (
+                state.sphereX[s],
+                state.sphereR[s] + skin,
+                elements
+            );
+            for (const label e : elements)
+            {
+                near_.append(neighbour{s, w, e});
+            }
+        }
+    }
+}
+
+
+void Foam::dem::wallSet::findTouches(const bodies& state)
+{
+    trial_.clear();
+
+    DynamicList<wallTouch> found;
+    forAll(near_, k)
+    {
+        const neighbour& n = near_[k];
+
+        wallTouch t;
+        t.sphere = n.sphere;
+        t.wallI = n.wallI;
+        t.xi = Zero;
+        const scalar d = walls_[n.wallI].nearest
+        (
+            state.sphereX[n.sphere],
+            n.element,
+            t.p,
+            t.n
+        );
+        t.overlap = state.sphereR[n.sphere] - d;
+        if (t.overlap > 0)
+        {
+            found.append(t);
+        }
+
+        if (k + 1 == near_.size() || near_[k + 1].sphere != n.sphere)
+        {
+            select(found, state.sphereR[n.sphere]);
+            found.clear();
+        }
+    }
+
+    inherit();
+}
+
+
+void Foam::dem::wallSet::renumber(const labelUList& newIndex)
+{
+    label n = 0;
+    for (const wallTouch& t : touches_)
+    {
+        if (newIndex[t.sphere] >= 0)
+        {
+            touches_[n] = t;
+            touches_[n++].sphere = newIndex[t.sphere];
+        }
+    }
+    touches_.setSize(n);
+    near_.clear();
+}
+
+
+// ************************************************************************* //
