@@ -1,0 +1,203 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "demCloud.H"
+#include "rankSum.H"
+#include "mapPolyMesh.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(demCloud, 0);
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::demCloud::startForces(const label firstNew)
+{
+    if (coupling_ == "none")
+    {
+        return;
+    }
+
+    // Buoyancy and, for the first step, the inertia of the fluid around
+    dem::bodies& state = dem_->state();
+    for (label b = firstNew; b < state.size(); ++b)
+    {
+        const scalar m = state.mass[b];
+        const scalar mf = rho_*state.shapeOf(b).volume();
+        const scalar added = coupling_ == "twoWay" ? 0.5*mf : 0;
+        state.fluidForce[b] =
+            (m*(m - mf)/(m + added) - m)*dem_->g();
+    }
+}
+
+
+void Foam::demCloud::removeLeaving()
+{
+    const dem::bodies& state = dem_->state();
+
+    boolList inside(state.size());
+    forAll(inside, b)
+    {
+        inside[b] = bins_.find(state.x[b]) >= 0;
+    }
+    dem::anyOverRanks(inside);
+
+    boolList leaving(state.size());
+    label n = 0;
+    forAll(leaving, b)
+    {
+        leaving[b] = !inside[b];
+        if (leaving[b])
+        {
+            ++n;
+            Info<< "    body " << state.id[b] << " ("
+                << state.shapeOf(b).name() << ") left the domain at "
+                << state.x[b] << endl;
+        }
+    }
+
+    if (n)
+    {
+        dem_->remove(leaving);
+        ledger_.addLeft(n);
+    }
+}
+
+
+void Foam::demCloud::checkFinite() const
+{
+    const dem::bodies& state = dem_->state();
+    forAll(state.x, b)
+    {
+        const scalar all =
+            magSqr(state.x[b]) + magSqr(state.v[b]) + magSqr(state.L[b]);
+        if (!(all < GREAT))
+        {
+            FatalErrorInFunction
+                << "Body " << state.id[b] << " ("
+                << state.shapeOf(b).name() << ") at time "
+                << mesh_.time().timeName() << " s is at " << state.x[b]
+                << " with velocity " << state.v[b]
+                << " m/s: the computation has become unstable."
+                << exit(FatalError);
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::demCloud::beginStep()
+{
+    const Time& time = mesh_.time();
+    if (time.timeIndex() == timeIndex_)
+    {
+        return;
+    }
+    endStep();
+    timeIndex_ = time.timeIndex();
+    open_ = true;
+
+    const scalar t1 = time.value();
+    const scalar t0 = t1 - time.deltaTValue();
+
+    {
+        ledger::entry e(ledger_, "bodies (contacts, motion)");
+
+        removeLeaving();
+        const label n = dem_->state().size();
+        dem_->enter(t0);
+        startForces(n);
+
+        if (immersed_.valid())
+        {
+            immersed_->store();
+        }
+        dem_->advance(t0, t1);
+        checkFinite();
+    }
+
+    if (immersed_.valid())
+    {
+        ledger::entry e(ledger_, "bodies on the mesh (volume fraction)");
+        immersed_->project(U());
+    }
+}
+
+
+void Foam::demCloud::addForcing(fvMatrix<vector>& eqn)
+{
+    beginStep();
+
+    if (immersed_.valid())
+    {
+        ledger::entry e(ledger_, "forcing of the fluid");
+        immersed_->addTo(eqn);
+    }
+}
+
+
+void Foam::demCloud::correct(const volVectorField& U)
+{
+    if (immersed_.valid())
+    {
+        ledger::entry e(ledger_, "forces on the bodies");
+
+        immersed_->sumForces(U);
+        if (coupling_ == "twoWay" && dem_->moves())
+        {
+            immersed_->correctMotion();
+        }
+
+        const scalar dt = mesh_.time().deltaTValue();
+        exchange_.active = true;
+        exchange_.toBodies = dt*immersed_->forceOnBodies();
+        exchange_.toFluid = dt*immersed_->forceOnFluid(U);
+        exchange_.volumeError = immersed_->volumeError();
+        exchange_.slip = immersed_->slip();
+    }
+
+    if (interface_.valid())
+    {
+        ledger::entry e(ledger_, "refinement around the bodies");
+        interface_->mark(dem_->state(), 2*mesh_.time().deltaTValue());
+    }
+}
+
+
+void Foam::demCloud::endStep()
+{
+    if (!open_)
+    {
+        return;
+    }
+    open_ = false;
+
+    if (immersed_.valid())
+    {
+        immersed_->finish();
+    }
+    ledger_.line(dem_->state().size(), dem_->report(), exchange_);
+    exchange_ = ledger::exchange();
+}
+
+
+void Foam::demCloud::autoMap(const mapPolyMesh&)
+{
+    ledger::entry e(ledger_, "cells sorted after a mesh change");
+    bins_.update();
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,317 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "demCloud.H"
+#include "allowedKeys.H"
+#include "checkedEntry.H"
+#include "dynamicRefineFvMesh.H"
+#include "ListListOps.H"
+#include "uniformDimensionedFields.H"
+#include "wallPolyPatch.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::demCloud::checkInput() const
+{
+    dem::checkKeys
+    (
+        dict_,
+        {
+            "coupling", "demSolver", "fluid", "materials", "pairs", "shapes",
+            "bodies", "generators", "contact", "walls", "integrator",
+            "stepControl", "neighbours", "immersed", "interface"
+        }
+    );
+
+    if (dict_.found("coupling", keyType::LITERAL))
+    {
+        word asked;
+        dict_.lookup("coupling") >> asked;
+        if (asked == "fluidToParticles")
+        {
+            dem::badEntry
+            (
+                dict_,
+                "coupling",
+                "fluidToParticles needs drag laws, which are not there yet"
+            );
+        }
+    }
+}
+
+
+Foam::vector Foam::demCloud::readGravity() const
+{
+    IOobject io
+    (
+        "g",
+        mesh_.time().constant(),
+        mesh_.time(),
+        IOobject::MUST_READ,
+        IOobject::NO_WRITE,
+        false
+    );
+
+    if (!io.typeHeaderOk<uniformDimensionedVectorField>(true))
+    {
+        Info<< "    no file constant/g: no gravity" << endl;
+        return Zero;
+    }
+    return uniformDimensionedVectorField(io).value();
+}
+
+
+Foam::List<Foam::dem::corners> Foam::demCloud::patchTriangles
+(
+    const wordRes& names,
+    const dictionary& dict
+) const
+{
+    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+    DynamicList<dem::corners> own;
+    DynamicList<word> taken;
+
+    for (const polyPatch& patch : patches)
+    {
+        const bool named = names.size() && names.match(patch.name());
+        if (named && !isA<wallPolyPatch>(patch))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Patch " << patch.name() << " is of type " << patch.type()
+                << ", not wall." << nl
+                << "    Bodies touch wall patches only; an inlet or an outlet"
+                << " lets them out." << exit(FatalIOError);
+        }
+        if (!isA<wallPolyPatch>(patch) || (names.size() && !named))
+        {
+            continue;
+        }
+
+        taken.append(patch.name());
+        for (const face& f : patch)
+        {
+            for (label k = 2; k < f.size(); ++k)
+            {
+                dem::corners t;
+                t[0] = mesh_.points()[f[0]];
+                t[1] = mesh_.points()[f[k - 1]];
+                t[2] = mesh_.points()[f[k]];
+                own.append(t);
+            }
+        }
+    }
+
+    if (taken.empty())
+    {
+        wordList walls;
+        for (const polyPatch& patch : patches)
+        {
+            if (isA<wallPolyPatch>(patch))
+            {
+                walls.append(patch.name());
+            }
+        }
+        FatalIOErrorInFunction(dict)
+            << "No patch of type wall is taken." << nl
+            << "    Wall patches of the mesh: " << walls << exit(FatalIOError);
+    }
+
+    List<List<dem::corners>> all(Pstream::nProcs());
+    all[Pstream::myProcNo()] = own;
+    Pstream::gatherList(all);
+    Pstream::scatterList(all);
+
+    List<dem::corners> triangles =
+        ListListOps::combine<List<dem::corners>>
+        (
+            all,
+            accessOp<List<dem::corners>>()
+        );
+    Info<< "    wall " << dict.dictName() << ": " << triangles.size()
+        << " triangles of patches " << wordList(taken) << endl;
+    return triangles;
+}
+
+
+void Foam::demCloud::checkSizes() const
+{
+    const scalar domain = mesh_.bounds().mag();
+    for (const dem::shape& s : dem_->shapes())
+    {
+        if (2*s.boundingRadius() > domain)
+        {
+            FatalIOErrorInFunction(dict_.subDict("shapes").subDict(s.name()))
+                << "The shape " << s.name() << " measures "
+                << 2*s.boundingRadius() << " m, the whole domain "
+                << domain << " m." << nl
+                << "    Is the shape given in other units than the mesh?"
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
+void Foam::demCloud::refineInitially()
+{
+    if (!interface_.valid())
+    {
+        return;
+    }
+
+    interface_->mark(dem_->state(), 2*mesh_.time().deltaTValue());
+
+    dynamicRefineFvMesh* mesh =
+        dynamic_cast<dynamicRefineFvMesh*>(const_cast<fvMesh*>(&mesh_));
+    if (!mesh || mesh_.time().timeIndex() != 0)
+    {
+        return;
+    }
+
+    const IOdictionary meshDict
+    (
+        IOobject
+        (
+            "dynamicMeshDict",
+            mesh_.time().constant(),
+            mesh_,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+    const dictionary& coeffs =
+        meshDict.optionalSubDict("dynamicRefineFvMeshCoeffs");
+    const label interval = coeffs.get<label>("refineInterval");
+    const label levels = coeffs.get<label>("maxRefinement");
+
+    // The mesh refines only in steps whose number its interval divides
+    Time& time = const_cast<Time&>(mesh_.time());
+    const scalar now = time.value();
+
+    for (label level = 0; level < levels; ++level)
+    {
+        time.setTime(now, interval);
+        const bool changed = mesh->update();
+        time.setTime(now, 0);
+        if (!changed)
+        {
+            break;
+        }
+        interface_->mark(dem_->state(), 2*mesh_.time().deltaTValue());
+    }
+    mesh->topoChanging(false);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::demCloud::demCloud(const fvMesh& mesh, const bool fluid)
+:
+    cloud(mesh, "demCloud"),
+    mesh_(mesh),
+    dict_
+    (
+        IOobject
+        (
+            "demCloudProperties",
+            mesh.time().constant(),
+            mesh,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE
+        )
+    ),
+    coupling_("none"),
+    rho_(0),
+    bins_(mesh),
+    timeIndex_(-1),
+    open_(false)
+{
+    Info<< "demCloud: reading " << dict_.objectPath() << endl;
+
+    checkInput();
+    coupling_ = dem::getChoice
+    (
+        dict_,
+        "coupling",
+        {"none", "particlesToFluid", "twoWay"}
+    );
+    if (!fluid)
+    {
+        coupling_ = "none";
+    }
+
+    dem::demInput input(dict_);
+    input.directory =
+        mesh.time().rootPath()/mesh.time().globalCaseName()
+       /mesh.time().constant();
+    input.g = readGravity();
+    input.patchTriangles =
+        [this](const wordRes& names, const dictionary& d)
+        {
+            return patchTriangles(names, d);
+        };
+    input.save =
+        [this]()
+        {
+            const_cast<Time&>(mesh_.time()).writeNow();
+        };
+
+    dem_ = dem::demSolver::New(input);
+    checkSizes();
+
+    if (coupling_ != "none")
+    {
+        const dictionary& fluidDict = dict_.subDict("fluid");
+        dem::checkKeys(fluidDict, {"rho"});
+        rho_ = dem::getPositive(fluidDict, "rho");
+
+        immersed_.reset
+        (
+            new coupling::implicitForcing
+            (
+                mesh,
+                bins_,
+                *dem_,
+                rho_,
+                dict_.subDict("immersed")
+            )
+        );
+        startForces(0);
+    }
+
+    if (fluid)
+    {
+        interface_.reset
+        (
+            new coupling::refinementInterface
+            (
+                mesh,
+                bins_,
+                dict_.found("interface")
+              ? dict_.subDict("interface")
+              : dictionary()
+            )
+        );
+        refineInitially();
+    }
+
+    Info<< "    coupling " << coupling_ << ", " << dem_->state().size()
+        << " bodies of " << dem_->state().nSpheres() << " spheres" << endl;
+}
+
+
+Foam::demCloud::~demCloud()
+{
+    endStep();
+    ledger_.close();
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,90 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "demCloud.H"
+#include "lagrangianWriter.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::demCloud::writeBodies() const
+{
+    const dem::bodies& state = dem_->state();
+    lagrangianWriter out(mesh_, bins_, "demCloud", state.x);
+
+    out.write("id", state.id);
+    out.write("velocity", state.v);
+    out.write("angularVelocity", state.omega);
+    out.write("mass", state.mass);
+    out.write("template", state.shapeI);
+
+    const label n = state.size();
+    vectorField axis(n), force(n), torque(n);
+    scalarField w(n), diameter(n);
+    forAll(axis, b)
+    {
+        const quaternion q = state.userOrientation(b);
+        axis[b] = q.v();
+        w[b] = q.w();
+        diameter[b] = state.shapeOf(b).equivalentDiameter();
+        force[b] = state.force[b];
+        torque[b] = state.torque[b];
+        if (immersed_.valid() && !dem_->moves())
+        {
+            force[b] = immersed_->force(b);
+            torque[b] = immersed_->torque(b);
+        }
+    }
+    out.write("orientation", axis);
+    out.write("orientationW", w);
+    out.write("diameter", diameter);
+    out.write("force", force);
+    out.write("torque", torque);
+}
+
+
+void Foam::demCloud::writeSpheres() const
+{
+    const dem::bodies& state = dem_->state();
+    lagrangianWriter out(mesh_, bins_, "demCloudSpheres", state.sphereX);
+
+    const label n = state.nSpheres();
+    labelField body(n);
+    vectorField velocity(n);
+    scalarField diameter(n);
+    forAll(body, s)
+    {
+        const label b = state.sphereBody[s];
+        body[s] = state.id[b];
+        velocity[s] = state.velocityAt(b, state.sphereX[s]);
+        diameter[s] = 2*state.sphereR[s];
+    }
+    out.write("body", body);
+    out.write("velocity", velocity);
+    out.write("diameter", diameter);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::demCloud::writeObject
+(
+    IOstream::streamFormat,
+    IOstream::versionNumber,
+    IOstream::compressionType,
+    const bool
+) const
+{
+    writeBodies();
+    writeSpheres();
+    return true;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,161 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "cellBins.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::labelVector Foam::coupling::cellBins::binOf(const point& p) const
+{
+    labelVector b;
+    for (direction d = 0; d < 3; ++d)
+    {
+        const scalar x = std::floor((p[d] - origin_[d])/width_[d]);
+        b[d] = label(min(max(x, scalar(0)), scalar(n_[d] - 1)));
+    }
+    return b;
+}
+
+
+void Foam::coupling::cellBins::findRadii()
+{
+    const pointField& points = mesh_.points();
+    const pointField& cc = mesh_.cellCentres();
+    const labelList& owner = mesh_.faceOwner();
+    const labelList& neighbour = mesh_.faceNeighbour();
+
+    radius_.setSize(mesh_.nCells());
+    radius_ = 0;
+
+    forAll(mesh_.faces(), f)
+    {
+        const label o = owner[f];
+        const label n = f < neighbour.size() ? neighbour[f] : o;
+        for (const label p : mesh_.faces()[f])
+        {
+            radius_[o] = max(radius_[o], magSqr(points[p] - cc[o]));
+            radius_[n] = max(radius_[n], magSqr(points[p] - cc[n]));
+        }
+    }
+
+    radius_ = sqrt(radius_);
+    maxRadius_ = radius_.size() ? max(radius_) : 0;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::coupling::cellBins::cellBins(const polyMesh& mesh)
+:
+    mesh_(mesh)
+{
+    update();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::coupling::cellBins::update()
+{
+    findRadii();
+
+    const pointField& cc = mesh_.cellCentres();
+    const label nCells = cc.size();
+
+    boundBox box(cc, false);
+    if (!nCells)
+    {
+        box = boundBox(Zero, Zero);
+    }
+
+    // Cubes, as many as there are cells if those fill the box
+    const vector size = box.span() + vector::one*max(box.mag()*1e-6, VSMALL);
+    const scalar edge =
+        cbrt(cmptProduct(max(size, vector::one*maxRadius_))/max(nCells, 1));
+
+    origin_ = box.min();
+    for (direction d = 0; d < 3; ++d)
+    {
+        n_[d] = label(min(max(size[d]/edge, scalar(1)), scalar(1000)));
+        width_[d] = size[d]/n_[d];
+    }
+
+    // Counting sort
+    labelList bin(nCells);
+    start_.setSize(n_.x()*n_.y()*n_.z() + 1);
+    start_ = 0;
+    forAll(cc, c)
+    {
+        bin[c] = index(binOf(cc[c]));
+        ++start_[bin[c] + 1];
+    }
+    for (label b = 1; b < start_.size(); ++b)
+    {
+        start_[b] += start_[b - 1];
+    }
+
+    labelList next(start_);
+    cells_.setSize(nCells);
+    forAll(cc, c)
+    {
+        cells_[next[bin[c]]++] = c;
+    }
+}
+
+
+Foam::label Foam::coupling::cellBins::find(const point& p) const
+{
+    label found = -1;
+    forEach
+    (
+        p,
+        0,
+        [&](const label c)
+        {
+            if
+            (
+                (found < 0 || c < found)
+             && mesh_.pointInCell(p, c, polyMesh::FACE_DIAG_TRIS)
+            )
+            {
+                found = c;
+            }
+        }
+    );
+    return found;
+}
+
+
+Foam::label Foam::coupling::cellBins::nearest
+(
+    const point& p,
+    const scalar within
+) const
+{
+    const pointField& cc = mesh_.cellCentres();
+
+    label best = -1;
+    forEach
+    (
+        p,
+        within,
+        [&](const label c)
+        {
+            if (best < 0 || magSqr(cc[c] - p) < magSqr(cc[best] - p))
+            {
+                best = c;
+            }
+        }
+    );
+    return best;
+}
+
+
+// ************************************************************************* //

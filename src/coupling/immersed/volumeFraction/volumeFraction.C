@@ -1,0 +1,204 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "volumeFraction.H"
+
+#include <algorithm>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::coupling::volumeFraction::volume(const tet& t)
+{
+    return
+        mag
+        (
+            ((t[1].x - t[0].x) ^ (t[2].x - t[0].x)) & (t[3].x - t[0].x)
+        )/6;
+}
+
+
+Foam::scalar Foam::coupling::volumeFraction::negativeFraction
+(
+    const FixedList<scalar, 4>& phi
+)
+{
+    FixedList<scalar, 4> f(phi);
+    std::sort(f.begin(), f.end());
+
+    if (f[0] >= 0)
+    {
+        return 0;
+    }
+    if (f[3] <= 0)
+    {
+        return 1;
+    }
+
+    // Where the plane cuts the edge from corner i to corner j
+    const auto cut = [&f](const label i, const label j)
+    {
+        return f[i]/(f[i] - f[j]);
+    };
+
+    if (f[1] >= 0)
+    {
+        return cut(0, 1)*cut(0, 2)*cut(0, 3);
+    }
+    if (f[2] < 0)
+    {
+        return 1 - cut(3, 0)*cut(3, 1)*cut(3, 2);
+    }
+
+    // A wedge between corners 0 and 1, cut into three tetrahedra
+    const scalar c02 = cut(0, 2), c03 = cut(0, 3);
+    const scalar c12 = cut(1, 2), c13 = cut(1, 3);
+    return c02*c03 + c02*(1 - c03)*c13 + (1 - c02)*c12*c13;
+}
+
+
+Foam::scalar Foam::coupling::volumeFraction::insideLinear
+(
+    const bodyGeometry& body,
+    const tet& t
+)
+{
+    const point mean = 0.25*(t[0].x + t[1].x + t[2].x + t[3].x);
+    const vector r = body.fromNearestCentre(mean);
+    const scalar rho = max(mag(r), VSMALL);
+    const vector n = r/rho;
+
+    scalar bulge = 0;
+    for (const corner& c : t)
+    {
+        const vector d = body.inPlane(c.x - mean);
+        bulge += magSqr(d) - sqr(d & n);
+    }
+    bulge *= 0.1/rho;
+
+    FixedList<scalar, 4> phi;
+    forAll(phi, k)
+    {
+        phi[k] = t[k].phi - bulge;
+    }
+    return negativeFraction(phi)*volume(t);
+}
+
+
+Foam::scalar Foam::coupling::volumeFraction::inside
+(
+    const bodyGeometry& body,
+    const tet& t,
+    const label refinements
+)
+{
+    // No point is farther from a corner than the longest edge
+    scalar edge2 = 0;
+    for (label i = 0; i < 4; ++i)
+    {
+        for (label j = 0; j < i; ++j)
+        {
+            edge2 = max(edge2, magSqr(t[i].x - t[j].x));
+        }
+    }
+    if (t[0].phi > 0 && sqr(t[0].phi) > edge2)
+    {
+        return 0;
+    }
+    if (t[0].phi < 0 && sqr(t[0].phi) > edge2)
+    {
+        return volume(t);
+    }
+    if (!refinements)
+    {
+        return insideLinear(body, t);
+    }
+
+    const auto middle = [&](const label i, const label j)
+    {
+        const point x = 0.5*(t[i].x + t[j].x);
+        return corner{x, body.distance(x)};
+    };
+    const corner m01 = middle(0, 1), m02 = middle(0, 2), m03 = middle(0, 3);
+    const corner m12 = middle(1, 2), m13 = middle(1, 3), m23 = middle(2, 3);
+
+    // Four at the corners, four in the octahedron that is left
+    const FixedList<tet, 8> parts
+    ({
+        tet({t[0], m01, m02, m03}),
+        tet({t[1], m01, m12, m13}),
+        tet({t[2], m02, m12, m23}),
+        tet({t[3], m03, m13, m23}),
+        tet({m01, m23, m02, m03}),
+        tet({m01, m23, m03, m13}),
+        tet({m01, m23, m13, m12}),
+        tet({m01, m23, m12, m02})
+    });
+
+    scalar sum = 0;
+    for (const tet& part : parts)
+    {
+        sum += inside(body, part, refinements - 1);
+    }
+    return sum;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::coupling::volumeFraction::operator()
+(
+    const bodyGeometry& body,
+    const label cell,
+    const scalar radius
+) const
+{
+    const point& centre = mesh_.cellCentres()[cell];
+    const scalar phi = body.distance(centre);
+
+    if (phi >= radius)
+    {
+        return 0;
+    }
+    if (phi <= -radius)
+    {
+        return 1;
+    }
+
+    const pointField& points = mesh_.points();
+    scalar sum = 0;
+    scalar all = 0;
+
+    for (const label f : mesh_.cells()[cell])
+    {
+        const face& corners = mesh_.faces()[f];
+
+        tet t;
+        t[0] = corner{centre, phi};
+        t[1].x = points[corners[0]];
+        t[1].phi = body.distance(t[1].x);
+        t[3].x = points[corners[1]];
+        t[3].phi = body.distance(t[3].x);
+
+        for (label k = 2; k < corners.size(); ++k)
+        {
+            t[2] = t[3];
+            t[3].x = points[corners[k]];
+            t[3].phi = body.distance(t[3].x);
+
+            all += volume(t);
+            sum += inside(body, t, refinements_);
+        }
+    }
+
+    return sum/max(all, VSMALL);
+}
+
+
+// ************************************************************************* //
