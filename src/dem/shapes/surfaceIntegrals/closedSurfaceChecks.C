@@ -8,9 +8,11 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "closedSurface.H"
+#include "boundBox.H"
 #include "error.H"
 #include "mathematicalConstants.H"
 #include "surfaceIntegrals.H"
+#include "surfaceScan.H"
 
 #include <cmath>
 
@@ -216,10 +218,41 @@ void Foam::dem::closedSurface::checkParts() const
         refuse
         (
             volumes[k] > 0 && around != 0,
-            "has parts inside others that would be counted twice",
+            "is self-intersecting: parts inside others, whose space would count"
+            " twice",
             seat[k]
         );
     }
+}
+
+
+void Foam::dem::closedSurface::checkWinding() const
+{
+    // Surfaces that meet corner on corner pierce each other without a
+    // triangle pierced by an edge: look along lines. Their number is odd so
+    // that they miss what is symmetric
+    constexpr label n = 63;
+
+    const boundBox box(surface_.points(), false);
+    const scalar h = max(box.span().y(), box.span().z())/n;
+    const scalar y0 = box.min().y() + 0.37*h;
+    const scalar z0 = box.min().z() + 0.41*h;
+
+    const surfaceScan scan(surface_, y0, z0, h, n, n);
+
+    label stray = 0;
+    for (label k = 0; k < n; ++k)
+    {
+        stray += (scan.strayLength(k) > 1e-6*box.mag());
+    }
+
+    refuse
+    (
+        stray,
+        "is self-intersecting: rows of lines that find themselves inside it"
+        " twice, or inside out",
+        box.centre()
+    );
 }
 
 
@@ -229,6 +262,7 @@ Foam::dem::massProperties Foam::dem::closedSurface::check() const
     checkEdges();
     checkIntersections();
     checkParts();
+    checkWinding();
 
     return surfaceIntegrals(surface_);
 }

@@ -65,7 +65,7 @@ void Foam::dem::surfaceScan::cross
 (
     const labelledTri& f,
     const scalar z,
-    std::vector<std::vector<crossing>>& lines
+    std::vector<crossings>& lines
 ) const
 {
     const pointField& points = surface_.points();
@@ -103,6 +103,35 @@ void Foam::dem::surfaceScan::cross
         // the line leaves the body there
         lines[j].push_back({x, left ? -1 : 1});
     }
+}
+
+
+std::vector<Foam::dem::surfaceScan::crossings>
+Foam::dem::surfaceScan::crossingsOf(const label k) const
+{
+    std::vector<crossings> lines(ny_);
+    const scalar z = z0_ + k*h_;
+
+    for (const label i : rowTriangles_[k])
+    {
+        cross(surface_[i], z, lines);
+    }
+
+    for (crossings& line : lines)
+    {
+        std::sort
+        (
+            line.begin(),
+            line.end(),
+            [](const crossing& p, const crossing& q)
+            {
+                // Where they coincide: first in, then out
+                return p.x < q.x || (p.x == q.x && p.turn > q.turn);
+            }
+        );
+    }
+
+    return lines;
 }
 
 
@@ -153,32 +182,13 @@ Foam::dem::surfaceScan::surfaceScan
 std::vector<Foam::dem::surfaceScan::intervals>
 Foam::dem::surfaceScan::row(const label k) const
 {
-    std::vector<std::vector<crossing>> lines(ny_);
-    const scalar z = z0_ + k*h_;
-
-    for (const label i : rowTriangles_[k])
-    {
-        cross(surface_[i], z, lines);
-    }
-
+    const std::vector<crossings> lines(crossingsOf(k));
     std::vector<intervals> inside(ny_);
 
     for (label j = 0; j < ny_; ++j)
     {
-        std::vector<crossing>& line = lines[j];
-        std::sort
-        (
-            line.begin(),
-            line.end(),
-            [](const crossing& p, const crossing& q)
-            {
-                // Where they coincide: first in, then out
-                return p.x < q.x || (p.x == q.x && p.turn > q.turn);
-            }
-        );
-
         int winding = 0;
-        for (const crossing& c : line)
+        for (const crossing& c : lines[j])
         {
             const int before = winding;
             winding += c.turn;
@@ -195,6 +205,27 @@ Foam::dem::surfaceScan::row(const label k) const
     }
 
     return inside;
+}
+
+
+Foam::scalar Foam::dem::surfaceScan::strayLength(const label k) const
+{
+    scalar sum = 0;
+
+    for (const crossings& line : crossingsOf(k))
+    {
+        int winding = 0;
+        for (size_t c = 1; c < line.size(); ++c)
+        {
+            winding += line[c-1].turn;
+            if (winding != 0 && winding != 1)
+            {
+                sum += line[c].x - line[c-1].x;
+            }
+        }
+    }
+
+    return sum;
 }
 
 
