@@ -88,6 +88,7 @@ Foam::dem::pairProperties Foam::dem::materials::readPair
         }
         const scalar l = -log(e);
         p.beta = l/sqrt(sqr(constant::mathematical::pi) + sqr(l));
+        p.resolution10 = pow(1 + 5*p.beta, 10);
     }
 
     return p;
@@ -118,9 +119,14 @@ void Foam::dem::materials::readPairs
         for (label j = i; j < n; ++j)
         {
             word key = names_[i] + '-' + names_[j];
+            const word turned = names_[j] + '-' + names_[i];
             if (!dict.found(key))
             {
-                key = names_[j] + '-' + names_[i];
+                key = turned;
+            }
+            else if (i != j && dict.found(turned))
+            {
+                badEntry(dict, turned, "is the pair " + key + " once more");
             }
 
             if (dict.found(key))

@@ -93,9 +93,11 @@ bool Foam::dem::hadesSolver::tryStep(const scalar t, const scalar dt)
         }
     );
 
+    rejected_ = contactSummary();
     if (!ok)
     {
         undo();
+        rejected_ = summary_;
         summary_ = oldSummary;
         return false;
     }
@@ -107,55 +109,28 @@ bool Foam::dem::hadesSolver::tryStep(const scalar t, const scalar dt)
 }
 
 
-Foam::dem::stepChoice Foam::dem::hadesSolver::nextStep
+Foam::scalar Foam::dem::hadesSolver::nextStep
 (
     const scalar t,
-    const scalar t1
-) const
+    const scalar t1,
+    stepChoice& step
+)
 {
-    stepChoice step = control_->propose(state_, summary_);
+    step = control_->propose(state_, summary_);
 
-    // Not a whole step and a tiny rest, but two of the same length
     const scalar left = t1 - t;
     if (step.dt >= left)
     {
-        step = stepChoice{left, "end", step.body};
+        step.limit = "end";
+        return left;
     }
-    else if (2*step.dt > left)
+    if (step.dt < control_->minDeltaT() || t + step.dt <= t)
     {
-        step.dt = 0.5*left;
-    }
-    return step;
-}
-
-
-void Foam::dem::hadesSolver::giveUp(const scalar t, const stepChoice& step)
-{
-    if (input_.save)
-    {
-        input_.save();
+        giveUp(t, step);
     }
 
-    OStringStream body;
-    if (step.body >= 0)
-    {
-        body<< "    It is limited (" << step.limit << ") by "
-            << nameOf(step.body) << " at " << state_.x[step.body]
-            << " with velocity " << state_.v[step.body] << " m/s." << nl;
-    }
-    if (summary_.overlapA >= 0)
-    {
-        body<< "    Largest overlap: " << 100*summary_.overlap
-            << " % of the smaller radius, between "
-            << nameOf(summary_.overlapA) << " and "
-            << nameOf(summary_.overlapB) << '.' << nl;
-    }
-
-    FatalErrorInFunction
-        << "At time " << t << " s the step of the bodies would have to be "
-        << step.dt << " s, below minDeltaT " << control_->minDeltaT()
-        << " s." << nl << body.str().c_str()
-        << "    The state has been written." << exit(FatalError);
+    // Not a whole step and a tiny rest, but two of the same length
+    return 2*step.dt > left ? 0.5*left : step.dt;
 }
 
 
@@ -239,6 +214,8 @@ void Foam::dem::hadesSolver::advance(const scalar t0, const scalar t1)
         return;
     }
 
+    checkFinite(t0);
+
     // The forces that are held have changed, perhaps the velocities too
     state_.vHalf = state_.v;
     state_.omegaHalf = state_.omega;
@@ -249,27 +226,25 @@ void Foam::dem::hadesSolver::advance(const scalar t0, const scalar t1)
     scalar t = t0;
     while (t < t1)
     {
-        const stepChoice step = nextStep(t, t1);
+        stepChoice step;
+        const scalar dt = nextStep(t, t1, step);
 
-        if (step.dt < control_->minDeltaT() && step.dt < t1 - t)
-        {
-            giveUp(t, step);
-        }
-        if (!tryStep(t, step.dt))
+        if (!tryStep(t, dt))
         {
             ++report_.nRejected;
             continue;
         }
 
-        t = step.dt == t1 - t ? t1 : t + step.dt;
+        t = dt == t1 - t ? t1 : t + dt;
 
         ++report_.nSteps;
         ++report_.limits(step.limit);
-        report_.dtMin = min(report_.dtMin, step.dt);
-        report_.dtMax = max(report_.dtMax, step.dt);
+        report_.dtMin = min(report_.dtMin, dt);
+        report_.dtMax = max(report_.dtMax, dt);
         report_.overlap = max(report_.overlap, summary_.overlap);
     }
 
+    checkFinite(t1);
     report_.nContacts = summary_.nPairs + summary_.nWalls;
 }
 

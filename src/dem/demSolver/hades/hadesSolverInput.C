@@ -97,18 +97,6 @@ void Foam::dem::hadesSolver::readGenerators()
 }
 
 
-Foam::string Foam::dem::hadesSolver::nameOf(const label i) const
-{
-    if (i < 0)
-    {
-        return "wall " + walls_.walls()[-1 - i].name();
-    }
-    return
-        "body " + std::to_string(state_.id[i])
-      + " (" + state_.shapeOf(i).name() + ')';
-}
-
-
 void Foam::dem::hadesSolver::checkOverlaps()
 {
     if (!state_.size())

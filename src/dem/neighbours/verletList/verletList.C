@@ -13,6 +13,7 @@ License
 #include "allowedKeys.H"
 #include "checkedEntry.H"
 
+#include <algorithm>
 #include <unordered_map>
 
 // * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
@@ -49,6 +50,18 @@ void Foam::dem::verletList::search(const bodies& state)
             {
                 pairs_.append(spherePair{min(i, j), max(i, j)});
             }
+        }
+    );
+
+    // So that the order in which forces are added, and with it their
+    // round-off, does not depend on when the list was made
+    std::sort
+    (
+        pairs_.begin(),
+        pairs_.end(),
+        [](const spherePair& a, const spherePair& b)
+        {
+            return a.i < b.i || (a.i == b.i && a.j < b.j);
         }
     );
 }

@@ -43,6 +43,7 @@ Foam::dem::hadesStep::hadesStep(const dictionary& dict)
     maxDeltaT_ = getPositive(dict, "maxDeltaT", GREAT);
     minDeltaT_ = getPositive(dict, "minDeltaT", 1e-12);
     ceiling_ = GREAT;
+    ceilingBody_ = -1;
 }
 
 
@@ -89,7 +90,7 @@ Foam::dem::stepChoice Foam::dem::hadesStep::propose
 
     if (ceiling_ < choice.dt)
     {
-        choice = stepChoice{ceiling_, "growth", choice.body};
+        choice = stepChoice{ceiling_, "growth", ceilingBody_};
     }
 
     return choice;
@@ -104,13 +105,21 @@ bool Foam::dem::hadesStep::acceptMove
 )
 {
     scalar worst = 0;
+    label body = -1;
     forAll(state.x, b)
     {
         const shape& s = state.shapeOf(b);
         const scalar moved =
             mag(state.x[b] - oldX[b])
           + mag(state.omegaHalf[b])*dt*s.boundingRadius();
-        worst = max(worst, moved/(maxDisplacement_*s.minRadius()));
+        const scalar part = moved/(maxDisplacement_*s.minRadius());
+
+        // NaN is the worst of all
+        if (!(part <= worst))
+        {
+            worst = part < GREAT ? part : GREAT;
+            body = b;
+        }
     }
 
     if (worst <= 1)
@@ -119,6 +128,7 @@ bool Foam::dem::hadesStep::acceptMove
     }
 
     ceiling_ = safety_*dt/worst;
+    ceilingBody_ = body;
     return false;
 }
 
@@ -135,6 +145,7 @@ bool Foam::dem::hadesStep::acceptContacts
     }
 
     ceiling_ = min(0.5*dt, safety_*contacts.duration/contactSteps_);
+    ceilingBody_ = contacts.stiffA;
     return false;
 }
 

@@ -20,7 +20,7 @@ void Foam::dem::wallSet::select
     const scalar radius
 )
 {
-    std::stable_sort
+    std::sort
     (
         found.begin(),
         found.end(),
@@ -53,33 +53,56 @@ void Foam::dem::wallSet::select
 void Foam::dem::wallSet::inherit()
 {
     label first = 0;
-    for (wallTouch& t : trial_)
+    for (label t = 0; t < trial_.size();)
     {
-        while
-        (
-            first < touches_.size() && touches_[first].sphere < t.sphere
-        )
+        const label sphere = trial_[t].sphere;
+        label end = t;
+        while (end < trial_.size() && trial_[end].sphere == sphere)
+        {
+            ++end;
+        }
+        while (first < touches_.size() && touches_[first].sphere < sphere)
         {
             ++first;
         }
-
-        // The contact of the same wall whose normal has turned least; a
-        // right angle is another side of the wall
-        scalar best = SMALL;
         for
         (
             label k = first;
-            k < touches_.size() && touches_[k].sphere == t.sphere;
+            k < touches_.size() && touches_[k].sphere == sphere;
             ++k
         )
         {
-            const scalar cosine = touches_[k].n & t.n;
-            if (touches_[k].wallI == t.wallI && cosine > best)
-            {
-                best = cosine;
-                t.xi = touches_[k].xi;
-            }
+            bequeath(touches_[k], t, end);
         }
+        t = end;
+    }
+}
+
+
+void Foam::dem::wallSet::bequeath
+(
+    const wallTouch& old,
+    const label begin,
+    const label end
+)
+{
+    label heir = -1;
+    scalar best = 0.8;
+    for (label t = begin; t < end; ++t)
+    {
+        const scalar cosine = trial_[t].n & old.n;
+        if (cosine > best)
+        {
+            best = cosine;
+            heir = t;
+        }
+    }
+
+    // An heir of two keeps what the nearer one left
+    if (heir >= 0 && best > trial_[heir].likeness)
+    {
+        trial_[heir].likeness = best;
+        trial_[heir].xi = old.xi;
     }
 }
 
@@ -124,6 +147,7 @@ void Foam::dem::wallSet::findTouches(const bodies& state)
         t.sphere = n.sphere;
         t.wallI = n.wallI;
         t.xi = Zero;
+        t.likeness = 0;
         const scalar d = walls_[n.wallI].nearest
         (
             state.sphereX[n.sphere],
@@ -139,12 +163,38 @@ void Foam::dem::wallSet::findTouches(const bodies& state)
 
         if (k + 1 == near_.size() || near_[k + 1].sphere != n.sphere)
         {
-            select(found, state.sphereR[n.sphere]);
+            if (found.size())
+            {
+                select(found, state.sphereR[n.sphere]);
+            }
             found.clear();
         }
     }
 
     inherit();
+}
+
+
+bool Foam::dem::wallSet::isNear
+(
+    const label wallI,
+    const label firstSphere,
+    const label lastSphere
+) const
+{
+    for (const neighbour& n : near_)
+    {
+        if
+        (
+            n.wallI == wallI
+         && n.sphere >= firstSphere
+         && n.sphere < lastSphere
+        )
+        {
+            return true;
+        }
+    }
+    return false;
 }
 
 

@@ -1,0 +1,132 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "hadesSolver.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::string Foam::dem::hadesSolver::nameOf(const label i) const
+{
+    if (i < 0)
+    {
+        return "wall " + walls_.walls()[-1 - i].name();
+    }
+    return
+        "body " + std::to_string(state_.id[i])
+      + " (" + state_.shapeOf(i).name() + ')';
+}
+
+
+Foam::string Foam::dem::hadesSolver::shown(const vector& v)
+{
+    OStringStream os;
+    os << v;
+    return os.str();
+}
+
+
+Foam::string Foam::dem::hadesSolver::neighboursOf(const label b) const
+{
+    labelHashSet others;
+    for (const verletList::spherePair& p : list_.pairs())
+    {
+        const label i = state_.sphereBody[p.i];
+        const label j = state_.sphereBody[p.j];
+        if (i == b || j == b)
+        {
+            others.insert(i == b ? j : i);
+        }
+    }
+    forAll(walls_.walls(), w)
+    {
+        if (walls_.isNear(w, state_.firstSphere[b], state_.firstSphere[b + 1]))
+        {
+            others.insert(-1 - w);
+        }
+    }
+
+    string names;
+    for (const label i : others.sortedToc())
+    {
+        names += (names.empty() ? "" : ", ") + nameOf(i);
+    }
+    return names.empty() ? string("none") : names;
+}
+
+
+void Foam::dem::hadesSolver::stop(const scalar t, const string& why)
+{
+    if (input_.save)
+    {
+        input_.save();
+    }
+
+    FatalErrorInFunction
+        << "The bodies cannot move on at time " << t << " s." << nl
+        << why.c_str()
+        << (input_.save ? "    The state has been written.\n" : "")
+        << exit(FatalError);
+}
+
+
+void Foam::dem::hadesSolver::giveUp(const scalar t, const stepChoice& step)
+{
+    OStringStream why;
+    why << "    They need a step of " << step.dt << " s, but "
+        << control_->minimum().c_str() << ' ' << control_->minDeltaT()
+        << " s." << nl;
+
+    if (step.body >= 0)
+    {
+        why << "    The reason (" << step.limit << ") is "
+            << nameOf(step.body).c_str() << " at " << state_.x[step.body]
+            << " with velocity " << state_.v[step.body] << " m/s." << nl
+            << "    Its neighbours: " << neighboursOf(step.body).c_str()
+            << '.' << nl;
+    }
+
+    const contactSummary& s =
+        rejected_.overlapA >= 0 ? rejected_ : summary_;
+    if (s.overlapA >= 0)
+    {
+        why << "    Largest overlap: " << 100*s.overlap
+            << " % of the smaller radius, between "
+            << nameOf(s.overlapA).c_str() << " and "
+            << nameOf(s.overlapB).c_str() << '.' << nl;
+    }
+
+    stop(t, why.str());
+}
+
+
+void Foam::dem::hadesSolver::checkFinite(const scalar t)
+{
+    forAll(state_.x, b)
+    {
+        const vector sum =
+            state_.x[b] + state_.v[b] + state_.omega[b]
+          + state_.fluidForce[b] + state_.fluidTorque[b];
+
+        // A NaN is not below anything
+        if (!(magSqr(sum) < VGREAT))
+        {
+            stop
+            (
+                t,
+                "    " + nameOf(b) + " at " + shown(state_.x[b]) + " has velocity "
+              + shown(state_.v[b]) + " m/s and a force of the fluid of "
+              + shown(state_.fluidForce[b]) + " N.\n"
+            );
+        }
+    }
+}
+
+
+// ************************************************************************* //
