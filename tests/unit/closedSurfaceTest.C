@@ -18,6 +18,7 @@ Description
 #include "OSspecific.H"
 #include "testSurfaces.H"
 
+#include <fstream>
 #include <limits>
 
 using namespace Foam;
@@ -238,6 +239,13 @@ TEST(closedSurface, refusesFiles)
     EXPECT_NE(fileRefusal(dir/"none.stl").find("missing"), size_t(-1));
     EXPECT_NE(fileRefusal(dir/"junk.stl").find("junk.stl"), size_t(-1));
     EXPECT_NE(fileRefusal(dir/"junk.stl").find("unreadable"), size_t(-1));
+    // Binary, but without the triangles that it promises
+    std::string head(84, 'x');
+    head[80] = 9;
+    head[81] = head[82] = head[83] = 0;
+    std::ofstream(dir/"torn.stl", std::ios::binary) << head;
+    EXPECT_NE(fileRefusal(dir/"torn.stl").find("unreadable"), size_t(-1));
+
     EXPECT_NE(fileRefusal(dir/"some.xyz").find("cannot read"), size_t(-1));
 
     // What was written is read again, in other units

@@ -127,7 +127,7 @@ Type option
 
 // One aligned line of the report
 template<class Type>
-void line(const string& what, const Type& value, const string& unit)
+void entryLine(const string& what, const Type& value, const string& unit)
 {
     Info<< "    " << what.c_str();
     for (label i = what.size(); i < 34; ++i)
@@ -146,15 +146,15 @@ void printBody(const closedSurface& body, const scalar density)
     mass.principalAxes(axes, moments);
 
     Info<< "Body" << nl;
-    line("triangles", body.surface().size(), "-");
-    line("volume", mass.volume, "m3");
-    line("centre of mass", mass.centroid, "m");
-    line("principal moments / density", moments, "m5");
+    entryLine("triangles", body.surface().size(), "-");
+    entryLine("volume", mass.volume, "m3");
+    entryLine("centre of mass", mass.centroid, "m");
+    entryLine("principal moments / density", moments, "m5");
 
     if (density > 0)
     {
-        line("mass", density*mass.volume, "kg");
-        line("principal moments", density*moments, "kg m2");
+        entryLine("mass", density*mass.volume, "kg");
+        entryLine("principal moments", density*moments, "kg m2");
     }
     Info<< nl;
 }
@@ -167,17 +167,17 @@ void printCluster
 )
 {
     Info<< "Cluster" << nl;
-    line("spheres", cluster.radii().size(), "-");
-    line("smallest radius", min(cluster.radii()), "m");
-    line("largest radius", max(cluster.radii()), "m");
-    line("err_vol of the inscribed spheres", cluster.inscribedError(), "-");
-    line("err_vol (7.10)", errors.volume, "-");
-    line("err_off (7.11)", errors.offset, "-");
-    line("    measured along lines", errors.nLines, "-");
-    line("inertia error", errors.inertia, "-");
-    line("centroid error / diameter", errors.centroid, "-");
-    line("largest distance to the spheres", errors.surfaceToSpheres, "m");
-    line("largest distance to the surface", errors.spheresToSurface, "m");
+    entryLine("spheres", cluster.radii().size(), "-");
+    entryLine("smallest radius", min(cluster.radii()), "m");
+    entryLine("largest radius", max(cluster.radii()), "m");
+    entryLine("err_vol before correction", cluster.inscribedError(), "-");
+    entryLine("err_vol (7.10)", errors.volume, "-");
+    entryLine("err_off (7.11)", errors.offset, "-");
+    entryLine("    measured along lines", errors.nLines, "-");
+    entryLine("inertia error", errors.inertia, "-");
+    entryLine("centroid error / diameter", errors.centroid, "-");
+    entryLine("largest distance to the spheres", errors.surfaceToSpheres, "m");
+    entryLine("largest distance to the surface", errors.spheresToSurface, "m");
     Info<< nl;
 }
 
@@ -206,7 +206,7 @@ void write
     os.precision(17);
 
     os.beginBlock("FoamFile");
-    os.writeEntry("version", 2.0);
+    os.writeEntry("version", word("2.0"));
     os.writeEntry("format", word("ascii"));
     os.writeEntry("class", word("dictionary"));
     os.writeEntry("object", word(file.name()));

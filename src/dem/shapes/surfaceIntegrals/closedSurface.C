@@ -11,6 +11,46 @@ License
 #include "error.H"
 #include "OSspecific.H"
 
+#include <cfenv>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+// Is an STL file neither text nor as long as its number of triangles says?
+// The reader takes such a file for text and crashes
+bool isTornSTL(const fileName& file)
+{
+    if (file.ext() != "stl" && file.ext() != "stlb")
+    {
+        return false;
+    }
+
+    // Binary: 80 bytes, the number of triangles, 50 bytes for each
+    char head[84] = "";
+    std::ifstream is(file, std::ios::binary);
+    is.read(head, sizeof(head));
+    const std::streamsize length = is.gcount();
+
+    uint32_t n = 0;
+    std::memcpy(&n, head + 80, sizeof(n));
+
+    const bool isWhole =
+        length == sizeof(head)
+     && Foam::fileSize(file) >= off_t(sizeof(head)) + 50*off_t(n);
+
+    return !isWhole && std::memchr(head, 0, length);
+}
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::triSurface Foam::dem::closedSurface::read
@@ -32,6 +72,18 @@ Foam::triSurface Foam::dem::closedSurface::read
             << "read" << exit(FatalError);
     }
 
+    if (isTornSTL(file))
+    {
+        FatalErrorInFunction
+            << "Surface " << file << " is unreadable: it is no text, and "
+            << "shorter than its number of triangles says" << exit(FatalError);
+    }
+
+    // A reader that meets NaN must not end in a floating-point trap: the
+    // checks find it afterwards
+    std::fenv_t traps;
+    std::feholdexcept(&traps);
+
     // The readers' own errors do not name the file: add its name
     const bool oldError = FatalError.throwExceptions();
     const bool oldIOError = FatalIOError.throwExceptions();
@@ -49,6 +101,7 @@ Foam::triSurface Foam::dem::closedSurface::read
 
     FatalError.throwExceptions(oldError);
     FatalIOError.throwExceptions(oldIOError);
+    std::fesetenv(&traps);
 
     if (!complaint.empty())
     {
