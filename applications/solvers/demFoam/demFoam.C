@@ -18,6 +18,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "argList.H"
+#include "columnFvMesh.H"
 #include "Time.H"
 #include "fvMesh.H"
 #include "demCloud.H"
