@@ -41,6 +41,34 @@ triSurface merged
     return triSurface(faces, unique);
 }
 
+//- The triangles of an icosahedron: three corners that are all neighbours
+List<labelledTri> icosahedron(const UList<point>& points)
+{
+    List<labelledTri> faces(20);
+    label nFaces = 0;
+    const scalar reach = 1.01*mag(points[0] - points[1]);
+    for (label i = 0; i < 12; ++i)
+    {
+        for (label j = i + 1; j < 12; ++j)
+        {
+            for (label k = j + 1; k < 12; ++k)
+            {
+                const point a(points[i]), b(points[j]), c(points[k]);
+                if (mag(a - b) < reach && mag(b - c) < reach
+                 && mag(c - a) < reach)
+                {
+                    faces[nFaces++] =
+                        (a & (b ^ c)) > 0
+                      ? labelledTri(i, j, k, 0)
+                      : labelledTri(i, k, j, 0);
+                }
+            }
+        }
+    }
+
+    return faces;
+}
+
 } // End anonymous namespace
 
 
@@ -100,28 +128,7 @@ Foam::triSurface styxTest::ellipsoid(const vector& semiAxes, const label n)
         p /= mag(p);
     }
 
-    // The triangles of the icosahedron: corners that are all neighbours
-    List<labelledTri> faces(20);
-    label nFaces = 0;
-    const scalar reach = 1.01*mag(points[0] - points[1]);
-    for (label i = 0; i < 12; ++i)
-    {
-        for (label j = i + 1; j < 12; ++j)
-        {
-            for (label k = j + 1; k < 12; ++k)
-            {
-                const point a(points[i]), b(points[j]), c(points[k]);
-                if (mag(a - b) < reach && mag(b - c) < reach
-                 && mag(c - a) < reach)
-                {
-                    faces[nFaces++] =
-                        (a & (b ^ c)) > 0
-                      ? labelledTri(i, j, k, 0)
-                      : labelledTri(i, k, j, 0);
-                }
-            }
-        }
-    }
+    List<labelledTri> faces(icosahedron(points));
 
     for (label level = 0; level < n; ++level)
     {

@@ -94,17 +94,14 @@ struct arcIntegrals
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::dem::sphereUnion::addArcs
+bool Foam::dem::sphereUnion::coveredArcs
 (
     const std::vector<disc>& discs,
     const std::vector<label>& place,
-    const label d,
-    sliceMoments& sum
+    const disc& me,
+    std::vector<std::pair<scalar, scalar>>& covered
 ) const
 {
-    const disc& me = discs[d];
-    std::vector<std::pair<scalar, scalar>> covered;
-
     for (const label other : neighbours_[me.sphere])
     {
         if (place[other] < 0)
@@ -129,7 +126,7 @@ void Foam::dem::sphereUnion::addArcs
 
         if (distance + me.r <= you.r)
         {
-            return;
+            return false;
         }
 
         const scalar cosine =
@@ -152,40 +149,42 @@ void Foam::dem::sphereUnion::addArcs
     }
 
     std::sort(covered.begin(), covered.end());
-    covered.emplace_back(twoPi, twoPi);
 
+    return true;
+}
+
+
+void Foam::dem::sphereUnion::addArc
+(
+    const disc& me,
+    const scalar from,
+    const scalar to,
+    sliceMoments& sum
+)
+{
+    const arcIntegrals p(from), q(to);
     const scalar a = me.x, b = me.y, r = me.r;
-    scalar from = 0;
+    const scalar c = q.c - p.c, s = q.s - p.s;
+    const scalar cc = q.cc - p.cc, ss = q.ss - p.ss;
+    const scalar ccc = q.ccc - p.ccc, sss = q.sss - p.sss;
 
-    for (const auto& arc : covered)
-    {
-        if (arc.first > from)
-        {
-            const arcIntegrals p(from), q(arc.first);
-            const scalar c = q.c - p.c, s = q.s - p.s;
-            const scalar cc = q.cc - p.cc, ss = q.ss - p.ss;
-            const scalar ccc = q.ccc - p.ccc, sss = q.sss - p.sss;
-
-            sum.a += 0.5*r*(r*(q.t - p.t) + a*c + b*s);
-            sum.x += 0.5*r*(a*a*c + 2*a*r*cc + r*r*ccc);
-            sum.y += 0.5*r*(b*b*s + 2*b*r*ss + r*r*sss);
-            sum.xx += r/3
-               *(a*a*a*c + 3*a*a*r*cc + 3*a*r*r*ccc + r*r*r*(q.cccc - p.cccc));
-            sum.yy += r/3
-               *(b*b*b*s + 3*b*b*r*ss + 3*b*r*r*sss + r*r*r*(q.ssss - p.ssss));
-            sum.xy += 0.5*r
-               *(
-                    b*(a*a*c + 2*a*r*cc + r*r*ccc)
-                  + r
-                   *(
-                        a*a*(q.cs - p.cs)
-                      + 2*a*r*(q.ccs - p.ccs)
-                      + r*r*(q.cccs - p.cccs)
-                    )
-                );
-        }
-        from = max(from, arc.second);
-    }
+    sum.a += 0.5*r*(r*(q.t - p.t) + a*c + b*s);
+    sum.x += 0.5*r*(a*a*c + 2*a*r*cc + r*r*ccc);
+    sum.y += 0.5*r*(b*b*s + 2*b*r*ss + r*r*sss);
+    sum.xx += r/3
+       *(a*a*a*c + 3*a*a*r*cc + 3*a*r*r*ccc + r*r*r*(q.cccc - p.cccc));
+    sum.yy += r/3
+       *(b*b*b*s + 3*b*b*r*ss + 3*b*r*r*sss + r*r*r*(q.ssss - p.ssss));
+    sum.xy += 0.5*r
+       *(
+            b*(a*a*c + 2*a*r*cc + r*r*ccc)
+          + r
+           *(
+                a*a*(q.cs - p.cs)
+              + 2*a*r*(q.ccs - p.ccs)
+              + r*r*(q.cccs - p.cccs)
+            )
+        );
 }
 
 
@@ -215,9 +214,24 @@ Foam::dem::sphereUnion::sliceMoments Foam::dem::sphereUnion::slice
     }
 
     sliceMoments sum;
-    for (label d = 0; d < label(discs.size()); ++d)
+    for (const disc& d : discs)
     {
-        addArcs(discs, place, d, sum);
+        std::vector<std::pair<scalar, scalar>> covered;
+        if (!coveredArcs(discs, place, d, covered))
+        {
+            continue;
+        }
+        covered.emplace_back(twoPi, twoPi);
+
+        scalar from = 0;
+        for (const auto& arc : covered)
+        {
+            if (arc.first > from)
+            {
+                addArc(d, from, arc.first, sum);
+            }
+            from = max(from, arc.second);
+        }
     }
 
     return sum;
