@@ -140,7 +140,8 @@ void Foam::dem::materials::readPairs
                     << "The pair of materials " << names_[i] << " and "
                     << names_[j] << " is missing." << nl
                     << "    Add  " << names_[i] << '-' << names_[j]
-                    << "  with the entries " << flatOutput(laws.pairKeys())
+                    << "  with the entries "
+                    << listWords(laws.pairKeys()).c_str()
                     << exit(FatalIOError);
             }
         }

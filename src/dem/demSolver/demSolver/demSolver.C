@@ -44,8 +44,8 @@ Foam::PtrList<Foam::dem::shape> Foam::dem::demSolver::readShapes
     }
     if (shapes.empty())
     {
-        FatalIOErrorInFunction(dict)
-            << "There is no shape." << nl
+        FatalIOErrorInFunction(input.dict)
+            << "There is no shape in the entry shapes." << nl
             << "    Give each one as  NAME { type sphere; diameter 0.01; }"
             << exit(FatalIOError);
     }

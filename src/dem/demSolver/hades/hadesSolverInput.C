@@ -109,8 +109,8 @@ void Foam::dem::hadesSolver::checkOverlaps()
     if (summary_.overlap > 1e-3)
     {
         FatalIOErrorInFunction(input_.dict.subDict("bodies"))
-            << nameOf(summary_.overlapA) << " and "
-            << nameOf(summary_.overlapB) << " overlap at the start, by "
+            << nameOf(summary_.overlapA).c_str() << " and "
+            << nameOf(summary_.overlapB).c_str() << " overlap at the start, by "
             << 100*summary_.overlap << " % of the smaller radius." << nl
             << "    Bodies may start with 0.1 % at most: move them apart."
             << exit(FatalIOError);

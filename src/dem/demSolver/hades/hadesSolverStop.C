@@ -120,7 +120,8 @@ void Foam::dem::hadesSolver::checkFinite(const scalar t)
             stop
             (
                 t,
-                "    " + nameOf(b) + " at " + shown(state_.x[b]) + " has velocity "
+                "    " + nameOf(b) + " at " + shown(state_.x[b])
+              + " has velocity "
               + shown(state_.v[b]) + " m/s and a force of the fluid of "
               + shown(state_.fluidForce[b]) + " N.\n"
             );
