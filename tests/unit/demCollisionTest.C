@@ -208,9 +208,9 @@ TEST(demCollision, elasticGasFixed)
 
 TEST(demCollision, removal)
 {
-    // Two balls lie on each other on the floor, turning; a third one, that
-    // is listed between them, is taken out. Their contacts keep their slip.
-    const auto dict = [](const bool third)
+    // Two balls lie on each other on the floor, turning; others, listed before
+    // and between them, are taken out. Their contacts keep their slip.
+    const auto dict = [](const bool others)
     {
         return
             stuff
@@ -220,10 +220,15 @@ TEST(demCollision, removal)
             "walls { floor { type plane; point (0 0 0); normal (0 0 1);"
             " material stuff; } }\n"
             "bodies\n{\n"
-            "a { shape ball; material stuff; position (0 0 0.005); }\n"
           + (
-                third
+                others
               ? "c { shape ball; material stuff; position (1 0 0.005); }\n"
+              : ""
+            )
+          + "a { shape ball; material stuff; position (0 0 0.005); }\n"
+          + (
+                others
+              ? "d { shape ball; material stuff; position (2 0 0.005); }\n"
               : ""
             )
           + "b { shape ball; material stuff; position (0 0 0.015);"
@@ -236,11 +241,13 @@ TEST(demCollision, removal)
     with.run(0.01);
     without.run(0.01);
 
-    Foam::boolList marked(3, false);
-    marked[1] = true;
+    Foam::boolList marked(4, false);
+    marked[0] = true;
+    marked[2] = true;
     with.solver().remove(marked);
     EXPECT_EQ(with.state().size(), 2);
-    EXPECT_EQ(with.state().id[1], 2);
+    EXPECT_EQ(with.state().id[0], 1);
+    EXPECT_EQ(with.state().id[1], 3);
 
     with.run(0.01);
     without.run(0.01);

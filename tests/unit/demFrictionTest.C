@@ -16,6 +16,9 @@ Description
 
 #include "demCase.H"
 
+#include "dampingLaws.H"
+#include "tangentialLaws.H"
+
 #include <cmath>
 
 using namespace styxTest;
@@ -104,6 +107,46 @@ TEST(demFriction, slidingToRolling)
         "rad/s",
         "closed form 5/7 v0/r"
     );
+}
+
+
+TEST(demFriction, slipTurns)
+{
+    // A pair that turns as a whole takes the slip along, about any axis
+    using namespace Foam::dem;
+
+    pairProperties pair;
+    pair.EStar = pair.GStar = 1e6;
+    pair.friction = 100;
+
+    contactGeometry c;
+    c.overlap = 1e-5;
+    c.rStar = 0.005;
+    c.mStar = 1e-3;
+    c.contactRadius = std::sqrt(c.rStar*c.overlap);
+    c.u = c.uHalf = vector::zero;
+    c.pair = &pair;
+
+    for (const vector& axis : {vector(0, 0, 1), vector(1, 2, 0.5)})
+    {
+        const vector w = axis/mag(axis);
+        const label n = 1000;
+        c.dt = 1.0/n;
+        vector xi(1e-6, 0, 0);
+        vector F(Foam::Zero);
+        for (label k = 1; k <= n; ++k)
+        {
+            const Foam::quaternion q(w, scalar(k)/n);
+            c.n = q.transform(vector(0, 0, 1));
+            c.spin = w & c.n;
+            F = tangentialLaws::mindlin::force<dampingLaws::none>(c, 1, xi);
+        }
+        const vector expected =
+            Foam::quaternion(w, scalar(1)).transform(vector(1e-6, 0, 0));
+        EXPECT_LT(mag(xi - expected), 2e-3*1e-6);
+        EXPECT_LT(std::abs(xi & c.n), 1e-15*1e-6);
+        EXPECT_NEAR(mag(F), 8*pair.GStar*c.contactRadius*1e-6, 1e-12);
+    }
 }
 
 

@@ -207,6 +207,8 @@ const char* const chungOoi = "closed form, Chung & Ooi 2011";
 
 TEST(demImpact, chungOoi1Glass)
 {
+    // Figures "chungOoi1_glass_peakForce", "chungOoi1_glass_overlap",
+    // "chungOoi1_glass_contactTime"
     hertz
     (
         "chungOoi1_glass",
@@ -218,6 +220,8 @@ TEST(demImpact, chungOoi1Glass)
 
 TEST(demImpact, chungOoi1Limestone)
 {
+    // Figures "chungOoi1_limestone_peakForce", "chungOoi1_limestone_overlap",
+    // "chungOoi1_limestone_contactTime"
     hertz
     (
         "chungOoi1_limestone",
@@ -229,6 +233,8 @@ TEST(demImpact, chungOoi1Limestone)
 
 TEST(demImpact, chungOoi2Aluminium)
 {
+    // Figures "chungOoi2_aluminium_peakForce", "chungOoi2_aluminium_overlap",
+    // "chungOoi2_aluminium_contactTime"
     hertz
     (
         "chungOoi2_aluminium",
@@ -240,6 +246,8 @@ TEST(demImpact, chungOoi2Aluminium)
 
 TEST(demImpact, chungOoi2Magnesium)
 {
+    // Figures "chungOoi2_magnesium_peakForce", "chungOoi2_magnesium_overlap",
+    // "chungOoi2_magnesium_contactTime"
     hertz
     (
         "chungOoi2_magnesium",
@@ -251,7 +259,9 @@ TEST(demImpact, chungOoi2Magnesium)
 
 TEST(demImpact, restitution)
 {
-    // With the default steps, and with small fixed ones
+    // With the default steps, and with small fixed ones: figures
+    // "restitution_plane_slow", "restitution_plane_fast",
+    // "restitution_spheres_slow", "restitution_spheres_fast"
     for (const bool fixed : {false, true})
     for (const bool plane : {true, false})
     for (const scalar speed : {0.1, 3.9})

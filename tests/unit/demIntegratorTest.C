@@ -166,7 +166,7 @@ TEST(demIntegrator, order)
         {
             figure
             (
-                "verletOrder_tau" + text(tau).substr(0, 8),
+                row == 4 ? "verletOrder_tau0.00625" : "verletOrder_tau0.003125",
                 eoc,
                 1.98,
                 2.02,

@@ -118,8 +118,9 @@ Foam::scalar Foam::dem::hadesSolver::nextStep
 {
     step = control_->propose(state_, summary_);
 
+    // Round-off of t must not cost another step
     const scalar left = t1 - t;
-    if (step.dt >= left)
+    if (step.dt*(1 + 1e-9) >= left)
     {
         step.limit = "end";
         return left;

@@ -39,7 +39,7 @@ Foam::dem::hadesStep::hadesStep(const dictionary& dict)
     );
     safety_ = getInRange(dict, "safety", 0.01, 0.99, 0.8);
     maxDisplacement_ = getInRange(dict, "maxDisplacement", 1e-6, 0.5, 0.1);
-    contactSteps_ = getInRange(dict, "contactSteps", 5, 1e6, 20);
+    contactSteps_ = getInRange(dict, "contactSteps", 10, 1e6, 20);
     maxDeltaT_ = getPositive(dict, "maxDeltaT", GREAT);
     minDeltaT_ = getPositive(dict, "minDeltaT", 1e-12);
     ceiling_ = GREAT;
