@@ -188,7 +188,7 @@ void Foam::demCloud::endStep()
     {
         immersed_->finish();
     }
-    ledger_.line(dem_->state().size(), dem_->report(), exchange_);
+    ledger_.line(dem_->state(), dem_->report(), exchange_);
     exchange_ = ledger::exchange();
 }
 

@@ -12,6 +12,7 @@ License
 #include "allowedKeys.H"
 #include "checkedEntry.H"
 #include "dynamicRefineFvMesh.H"
+#include "fvcFlux.H"
 #include "ListListOps.H"
 #include "uniformDimensionedFields.H"
 #include "wallPolyPatch.H"
@@ -207,6 +208,12 @@ void Foam::demCloud::refineInitially()
         interface_->mark(dem_->state(), 2*mesh_.time().deltaTValue());
     }
     mesh->topoChanging(false);
+
+    // The faces that are new have no flux of their own yet
+    if (mesh_.foundObject<surfaceScalarField>("phi"))
+    {
+        mesh_.lookupObjectRef<surfaceScalarField>("phi") = fvc::flux(U());
+    }
 }
 
 

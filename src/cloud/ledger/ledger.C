@@ -77,7 +77,7 @@ Foam::ledger::ledger()
 
 void Foam::ledger::line
 (
-    const label nBodies,
+    const dem::bodies& state,
     const dem::advanceReport& report,
     const exchange& coupled
 )
@@ -101,7 +101,14 @@ void Foam::ledger::line
     dtMin_ = min(dtMin_, report.dtMin);
     dtMax_ = max(dtMax_, report.dtMax);
 
-    Info<< "demCloud: " << nBodies << " bodies, " << report.nSteps
+    scalar fastest = 0;
+    for (const vector& v : state.v)
+    {
+        fastest = max(fastest, mag(v));
+    }
+
+    Info<< "demCloud: " << state.size() << " bodies, fastest " << fastest
+        << " m/s, " << report.nSteps
         << " steps (" << listed(report.limits).c_str() << "), "
         << report.nRejected << " undone, " << report.nContacts
         << " contacts, overlap " << 100*report.overlap << " %";

@@ -110,22 +110,50 @@ void Foam::coupling::cellBins::update()
 }
 
 
+Foam::scalar Foam::coupling::cellBins::outside
+(
+    const point& p,
+    const label cell
+) const
+{
+    scalar worst = -GREAT;
+    for (const label f : mesh_.cells()[cell])
+    {
+        const vector& S = mesh_.faceAreas()[f];
+        const scalar d =
+            ((p - mesh_.faceCentres()[f]) & S)/max(mag(S), VSMALL);
+        worst = max(worst, mesh_.faceOwner()[f] == cell ? d : -d);
+    }
+    return worst/radius_[cell];
+}
+
+
 Foam::label Foam::coupling::cellBins::find(const point& p) const
 {
+    // The cell that p is deepest in. On a face, an edge or a vertex several
+    // cells are as good: round-off must not make it none. (The decomposition
+    // by face diagonals is made by all ranks together on first use: here, where
+    // one rank may come alone, it would wait for ever.)
     label found = -1;
+    scalar least = 1e-6;
     forEach
     (
         p,
         0,
         [&](const label c)
         {
+            const scalar d = outside(p, c);
             if
             (
-                (found < 0 || c < found)
-             && mesh_.pointInCell(p, c, polyMesh::FACE_DIAG_TRIS)
+                d < least
+             || (
+                    found < 0
+                 && mesh_.pointInCell(p, c, polyMesh::FACE_CENTRE_TRIS)
+                )
             )
             {
                 found = c;
+                least = min(d, least);
             }
         }
     );

@@ -31,96 +31,118 @@ void Foam::coupling::implicitForcing::findCells(const label b)
             const scalar beta = fraction_(body, c, bins_.radius(c));
             if (beta > 0)
             {
-                cells.append(bodyCell{c, beta, Zero});
+                cells.append
+                (
+                    bodyCell{c, beta, state.velocityAt(b, mesh_.C()[c])}
+                );
             }
         }
     );
 }
 
 
-Foam::vector Foam::coupling::implicitForcing::profileTarget
+bool Foam::coupling::implicitForcing::across
 (
-    const label b,
-    const bodyCell& bc,
-    const volVectorField& U,
-    const List<otherSide>& others
+    const label face,
+    const label cell,
+    point& centre
 ) const
 {
-    const dem::bodies& state = dem_.state();
-    const bodyGeometry body(state, b, solved_);
-    const point& centre = mesh_.C()[bc.cell];
-    const vector Ub =
-        imposed_[b].v + (imposed_[b].omega ^ (centre - state.x[b]));
-
-    const scalar phi = body.distance(centre);
-    const vector r = body.fromNearestCentre(centre);
-    const vector n = r/max(mag(r), VSMALL);
-
-    vector sum(Zero);
-    scalar weights = 0;
-
-    for (const label f : mesh_.cells()[bc.cell])
+    if (mesh_.isInternalFace(face))
     {
-        // Centre and velocity of the cell on the other side
-        point other;
-        vector Uf;
-        if (mesh_.isInternalFace(f))
-        {
-            const label c =
-                mesh_.faceOwner()[f] == bc.cell
-              ? mesh_.faceNeighbour()[f]
-              : mesh_.faceOwner()[f];
-            other = mesh_.C()[c];
-            Uf = U[c];
-        }
-        else
-        {
-            const label patchI = mesh_.boundaryMesh().whichPatch(f);
-            if (others[patchI].U.empty())
-            {
-                continue;
-            }
-            const label k = f - mesh_.boundaryMesh()[patchI].start();
-            other = centre + others[patchI].delta[k];
-            Uf = others[patchI].U[k];
-        }
+        const label o = mesh_.faceOwner()[face];
+        centre = mesh_.C()[o == cell ? mesh_.faceNeighbour()[face] : o];
+        return true;
+    }
 
-        const vector d = body.inPlane(other - centre);
-        const scalar cosine = (d & n)/max(mag(d), VSMALL);
-        const scalar phif = body.distance(other);
-        if (cosine < 0.1 || phif < 0.1*mag(d))
+    const label p = mesh_.boundaryMesh().whichPatch(face);
+    if (delta_[p].empty())
+    {
+        return false;
+    }
+    centre = mesh_.C()[cell] + delta_[p][face - mesh_.boundary()[p].start()];
+    return true;
+}
+
+
+const Foam::vector& Foam::coupling::implicitForcing::acrossU
+(
+    const label face,
+    const label cell,
+    const volVectorField& U,
+    const List<vectorField>& otherU
+) const
+{
+    if (mesh_.isInternalFace(face))
+    {
+        const label o = mesh_.faceOwner()[face];
+        return U[o == cell ? mesh_.faceNeighbour()[face] : o];
+    }
+    const label p = mesh_.boundaryMesh().whichPatch(face);
+    return otherU[p][face - mesh_.boundary()[p].start()];
+}
+
+
+Foam::List<Foam::vectorField> Foam::coupling::implicitForcing::otherSide
+(
+    const volVectorField& U
+) const
+{
+    List<vectorField> other(mesh_.boundary().size());
+    forAll(other, p)
+    {
+        if (mesh_.boundary()[p].coupled())
+        {
+            other[p] = U.boundaryField()[p].patchNeighbourField();
+        }
+    }
+    return other;
+}
+
+
+void Foam::coupling::implicitForcing::findLinks(const label b)
+{
+    const bodyGeometry body(dem_.state(), b, solved_);
+
+    for (bodyCell& bc : cells_[b])
+    {
+        bc.link = links_.size();
+        if (bc.beta >= 1)
         {
             continue;
         }
 
-        const scalar w = sqr(cosine);
-        weights += w;
-        sum += w*max(min(phi/phif, scalar(1)), scalar(-1))*(Uf - Ub);
-    }
+        const point& centre = mesh_.C()[bc.cell];
+        const scalar phi = body.distance(centre);
+        const vector r = body.fromNearestCentre(centre);
+        const vector n = r/max(mag(r), VSMALL);
+        scalar weights = 0;
+        bc.n = n;
 
-    return weights > 0 ? Ub + sum/weights : Ub;
-}
-
-
-void Foam::coupling::implicitForcing::setTargets
-(
-    const label b,
-    const volVectorField& U,
-    const List<otherSide>& others
-)
-{
-    const dem::bodies& state = dem_.state();
-
-    for (bodyCell& bc : cells_[b])
-    {
-        if (bc.beta < 1)
+        for (const label f : mesh_.cells()[bc.cell])
         {
-            bc.target = profileTarget(b, bc, U, others);
+            point other;
+            if (!across(f, bc.cell, other))
+            {
+                continue;
+            }
+
+            const vector d = body.inPlane(other - centre);
+            const scalar cosine = (d & n)/max(mag(d), VSMALL);
+            const scalar phif = body.distance(other);
+            if (cosine > 0.1 && phif > 0.1*mag(d))
+            {
+                const scalar slope =
+                    max(min(phi/phif, scalar(1)), scalar(-1));
+                links_.append(profileLink{f, sqr(cosine)*slope});
+                weights += sqr(cosine);
+            }
         }
-        else
+
+        bc.nLinks = links_.size() - bc.link;
+        for (label k = 0; k < bc.nLinks; ++k)
         {
-            const vector r = mesh_.C()[bc.cell] - state.x[b];
-            bc.target = imposed_[b].v + (imposed_[b].omega ^ r);
+            links_[bc.link + k].share /= weights;
         }
     }
 }
@@ -160,20 +182,27 @@ Foam::coupling::implicitForcing::implicitForcing
     dem_(dem),
     rho_(rho),
     kappa_(1000),
+    viscousRate_(20),
     virtualMass_(0.5),
     solved_(vector::one),
+    thickness_(0),
     fraction_(mesh),
     volumeError_(0),
     slip_(0)
 {
-    dem::checkKeys(dict, {"type", "kappa", "virtualMass"});
+    dem::checkKeys(dict, {"type", "kappa", "viscousRate", "virtualMass"});
     dem::getChoice(dict, "type", {"implicitForcing"});
     kappa_ = dem::getPositive(dict, "kappa", 1000);
+    viscousRate_ = dem::getPositive(dict, "viscousRate", 20);
     virtualMass_ = dem::getInRange(dict, "virtualMass", 0, 2, 0.5);
 
     for (direction d = 0; d < 3; ++d)
     {
         solved_[d] = mesh.solutionD()[d] > 0 ? 1 : 0;
+        if (!(solved_[d] > 0))
+        {
+            thickness_ = mesh.bounds().span()[d];
+        }
     }
 
     checkScheme();
@@ -191,10 +220,21 @@ void Foam::coupling::implicitForcing::project(const volVectorField& U)
     imposed_.setSize(n);
     List<scalar> volume(n, scalar(0));
 
+    delta_.setSize(mesh_.boundary().size());
+    forAll(delta_, p)
+    {
+        delta_[p] =
+            mesh_.boundary()[p].coupled()
+          ? vectorField(mesh_.boundary()[p].delta())
+          : vectorField();
+    }
+
+    links_.clear();
     for (label b = 0; b < n; ++b)
     {
-        findCells(b);
         imposed_[b] = imposedMotion{state.v[b], state.omega[b]};
+        findCells(b);
+        findLinks(b);
         for (const bodyCell& bc : cells_[b])
         {
             volume[b] += bc.beta*mesh_.V()[bc.cell];
@@ -216,20 +256,48 @@ void Foam::coupling::implicitForcing::project(const volVectorField& U)
 }
 
 
+void Foam::coupling::implicitForcing::setCut
+(
+    const label b,
+    bodyCell& bc,
+    const volVectorField& U,
+    const List<vectorField>& otherU,
+    const scalarField& nu
+) const
+{
+    const scalar dt = mesh_.time().deltaTValue();
+    const scalar V = mesh_.V()[bc.cell];
+    const scalar h2 = thickness_ > 0 ? V/thickness_ : sqr(cbrt(V));
+    const scalar ratio = bc.beta/max(1 - bc.beta, SMALL);
+
+    // The profile, at the rate of viscosity
+    vector profile = bc.Ub;
+    for (label k = bc.link; k < bc.link + bc.nLinks; ++k)
+    {
+        const profileLink& l = links_[k];
+        profile +=
+            l.share*(acrossU(l.face, bc.cell, U, otherU) - bc.Ub);
+    }
+    const scalar Kv = ratio*min(viscousRate_*nu[bc.cell]/h2, 4/dt);
+
+    // The mixture: tight across the surface, free along it
+    const imposedMotion& old = imposed0_[dem_.state().id[b]];
+    const vector r = mesh_.C()[bc.cell] - dem_.state().x[b];
+    const vector along =
+        U.oldTime()[bc.cell] + bc.Ub - old.v - (old.omega ^ r);
+    const vector mixture = along + ((bc.Ub - along) & bc.n)*bc.n;
+    const scalar Ki = ratio/dt;
+
+    bc.target = (Kv*profile + Ki*mixture)/max(Kv + Ki, VSMALL);
+    bc.K = min(Kv + Ki, kappa_/dt);
+}
+
+
 void Foam::coupling::implicitForcing::addTo(fvMatrix<vector>& eqn)
 {
     const volVectorField& U = eqn.psi();
-
-    // Values across processor and cyclic patches
-    List<otherSide> others(mesh_.boundary().size());
-    forAll(others, p)
-    {
-        if (mesh_.boundary()[p].coupled())
-        {
-            others[p].U = U.boundaryField()[p].patchNeighbourField();
-            others[p].delta = mesh_.boundary()[p].delta();
-        }
-    }
+    const List<vectorField> otherU(otherSide(U));
+    const scalarField& nu = mesh_.lookupObject<volScalarField>("nu");
 
     diagonal_.setSize(mesh_.nCells());
     diagonal_ = 0;
@@ -238,10 +306,18 @@ void Foam::coupling::implicitForcing::addTo(fvMatrix<vector>& eqn)
 
     forAll(cells_, b)
     {
-        setTargets(b, U, others);
-        for (const bodyCell& bc : cells_[b])
+        for (bodyCell& bc : cells_[b])
         {
-            const scalar KV = rate()*bc.beta*mesh_.V()[bc.cell];
+            if (bc.beta < 1)
+            {
+                setCut(b, bc, U, otherU, nu);
+            }
+            else
+            {
+                bc.target = bc.Ub;
+                bc.K = kappa_/mesh_.time().deltaTValue();
+            }
+            const scalar KV = bc.K*mesh_.V()[bc.cell];
             diagonal_[bc.cell] += KV;
             source_[bc.cell] += KV*bc.target;
         }
@@ -267,8 +343,7 @@ void Foam::coupling::implicitForcing::sumForces(const volVectorField& U)
         for (const bodyCell& bc : cells_[b])
         {
             const vector f =
-                (rho_*rate()*bc.beta*mesh_.V()[bc.cell])
-               *(U[bc.cell] - bc.target);
+                (rho_*bc.K*mesh_.V()[bc.cell])*(U[bc.cell] - bc.target);
             F += f;
             T += (mesh_.C()[bc.cell] - state.x[b]) ^ f;
         }
@@ -289,10 +364,7 @@ Foam::vector Foam::coupling::implicitForcing::forceOnFluid
     vector F(Zero);
     forAll(source_, c)
     {
-        if (diagonal_[c] > 0)
-        {
-            F += source_[c] - diagonal_[c]*U[c];
-        }
+        F += source_[c] - diagonal_[c]*U[c];
     }
     return rho_*returnReduce(F, sumOp<vector>());
 }

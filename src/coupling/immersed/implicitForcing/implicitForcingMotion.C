@@ -52,7 +52,11 @@ void Foam::coupling::implicitForcing::startImposed(const volVectorField& U)
             imposed0_.insert
             (
                 state.id[b],
-                imposedMotion{momentum[b]/max(volume[b], VSMALL), Zero}
+                imposedMotion
+                {
+                    momentum[b]/max(volume[b], VSMALL),
+                    Zero
+                }
             );
         }
     }
