@@ -303,8 +303,9 @@ TEST(demImpact, restitution)
 
 TEST(demImpact, restitutionSteps)
 {
-    // What an impact costs with the default steps: no more than 20 to 25
-    // (1 + 5 beta) steps of the impact itself, its damped end included
+    // What an impact costs with the default steps, its damped end included:
+    // figures "restitutionSteps_1", "restitutionSteps_0.5",
+    // "restitutionSteps_0.1"
     impact i{true, 0.0025, 3.9, 1e9, 0.25, 2500};
     i.contact = "contact { tangential none; }";
     i.gap = 1e-6;
