@@ -24,8 +24,8 @@ import sys
 import numpy
 from paraview.simple import (
     ColorBy, CreateView, ExtractBlock, FeatureEdges, GetColorTransferFunction,
-    GetScalarBar, OpenFOAMReader, Plane, SaveScreenshot, Show, Slice, Text,
-    TrivialProducer)
+    GetOpacityTransferFunction, GetScalarBar, OpenFOAMReader, Plane,
+    SaveScreenshot, Show, Slice, Text, TrivialProducer)
 from paraview.vtk import (
     vtkCellArray, vtkPoints, vtkPolyData, vtkUnsignedCharArray)
 from paraview.vtk.numpy_interface import dataset_adapter
@@ -131,9 +131,9 @@ def main(png, time=None):
     plane.Triangulatetheslice = 0
     shown = Show(plane, view)
     shown.Representation = "Surface With Edges"
-    shown.EdgeColor = [0.35, 0.45, 0.55]
+    shown.EdgeColor = [0.22, 0.32, 0.42]
     shown.LineWidth = 0.6
-    shown.Ambient, shown.Diffuse, shown.Opacity = 0.9, 0.1, 0.85
+    shown.Ambient, shown.Diffuse = 0.9, 0.1
     ColorBy(shown, ("CELLS", "U", "Magnitude"))
     speed = GetColorTransferFunction("U")
     speed.RGBPoints = [
@@ -141,6 +141,9 @@ def main(png, time=None):
         0.35*TOP_SPEED, 0.20, 0.58, 0.78, 0.70*TOP_SPEED, 0.05, 0.27, 0.55,
         1.00*TOP_SPEED, 0.02, 0.07, 0.28]
     speed.ColorSpace = "RGB"
+    speed.EnableOpacityMapping = 1      # no rock is hidden
+    GetOpacityTransferFunction("U").Points = [
+        0, 0.6, 0.5, 0, TOP_SPEED, 0.75, 0.5, 0]
     bar = GetScalarBar(speed, view)
     bar.Title, bar.ComponentTitle = "water: speed [m/s]", ""
     bar.WindowLocation = "Any Location"
