@@ -11,6 +11,7 @@ License
 #include "volumeFraction.H"
 
 #include <algorithm>
+#include <cmath>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -171,6 +172,13 @@ Foam::scalar Foam::coupling::volumeFraction::operator()
         return 1;
     }
 
+    // Spheres that are small beside the cell ask for smaller tetrahedra
+    const label refinements = max
+    (
+        refinements_,
+        min(label(std::ceil(std::log2(5*radius/body.minRadius()))), label(5))
+    );
+
     const pointField& points = mesh_.points();
     scalar sum = 0;
     scalar all = 0;
@@ -193,7 +201,7 @@ Foam::scalar Foam::coupling::volumeFraction::operator()
             t[3].phi = body.distance(t[3].x);
 
             all += volume(t);
-            sum += inside(body, t, refinements_);
+            sum += inside(body, t, refinements);
         }
     }
 
