@@ -134,12 +134,14 @@ Foam::label Foam::coupling::cellBins::find(const point& p) const
     // cells are as good: round-off must not make it none. (The decomposition
     // by face diagonals is made by all ranks together on first use: here, where
     // one rank may come alone, it would wait for ever.)
+    // A vertex is as far from the centre as the cell's radius, but for
+    // round-off, hence the small ball.
     label found = -1;
     scalar least = 1e-6;
     forEach
     (
         p,
-        0,
+        1e-6*maxRadius_,
         [&](const label c)
         {
             const scalar d = outside(p, c);
