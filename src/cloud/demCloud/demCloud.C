@@ -124,7 +124,9 @@ void Foam::demCloud::beginStep()
         {
             immersed_->store();
         }
+        advancing_ = true;
         dem_->advance(t0, t1);
+        advancing_ = false;
         checkFinite();
     }
 

@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "demCloud.H"
+#include "cloudState.H"
 #include "allowedKeys.H"
 #include "checkedEntry.H"
 #include "dynamicRefineFvMesh.H"
@@ -16,6 +17,39 @@ License
 #include "ListListOps.H"
 #include "uniformDimensionedFields.H"
 #include "wallPolyPatch.H"
+
+// * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- The file of the particles, which must be there
+Foam::IOobject propertiesFile(const Foam::fvMesh& mesh)
+{
+    using namespace Foam;
+
+    const IOobject io
+    (
+        "demCloudProperties",
+        mesh.time().constant(),
+        mesh,
+        IOobject::MUST_READ,
+        IOobject::NO_WRITE
+    );
+    if (!IOobject(io).typeHeaderOk<IOdictionary>(true))
+    {
+        FatalErrorInFunction
+            << "No dictionary " << io.objectPath() << "." << nl
+            << "    It says what the particles are; write it (see"
+            << " doc/dictionaries/demCloudProperties.md) or take the entry"
+            << " of type demCloud out of constant/fvOptions."
+            << exit(FatalError);
+    }
+    return io;
+}
+
+} // End anonymous namespace
+
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -121,7 +155,9 @@ Foam::List<Foam::dem::corners> Foam::demCloud::patchTriangles
         }
         FatalIOErrorInFunction(dict)
             << "No patch of type wall is taken." << nl
-            << "    Wall patches of the mesh: " << walls << exit(FatalIOError);
+            << "    Wall patches of the mesh: " << walls << nl
+            << "    Patches of the mesh: " << patches.names()
+            << exit(FatalIOError);
     }
 
     List<List<dem::corners>> all(Pstream::nProcs());
@@ -141,25 +177,22 @@ Foam::List<Foam::dem::corners> Foam::demCloud::patchTriangles
 }
 
 
-void Foam::demCloud::checkSizes() const
+void Foam::demCloud::checkSize(const dem::shape& s) const
 {
     const scalar domain = mesh_.bounds().mag();
-    for (const dem::shape& s : dem_->shapes())
+    if (2*s.boundingRadius() > domain)
     {
-        if (2*s.boundingRadius() > domain)
-        {
-            FatalIOErrorInFunction(dict_.subDict("shapes").subDict(s.name()))
-                << "The shape " << s.name() << " measures "
-                << 2*s.boundingRadius() << " m, the whole domain "
-                << domain << " m." << nl
-                << "    Is the shape given in other units than the mesh?"
-                << exit(FatalIOError);
-        }
+        FatalIOErrorInFunction(dict_.subDict("shapes").subDict(s.name()))
+            << "The shape " << s.name() << " measures "
+            << 2*s.boundingRadius() << " m, the whole domain "
+            << domain << " m." << nl
+            << "    Is the shape given in other units than the mesh?"
+            << exit(FatalIOError);
     }
 }
 
 
-void Foam::demCloud::refineInitially()
+void Foam::demCloud::refineInitially(const bool restarted)
 {
     if (!interface_.valid())
     {
@@ -170,7 +203,7 @@ void Foam::demCloud::refineInitially()
 
     dynamicRefineFvMesh* mesh =
         dynamic_cast<dynamicRefineFvMesh*>(const_cast<fvMesh*>(&mesh_));
-    if (!mesh || mesh_.time().timeIndex() != 0)
+    if (!mesh || restarted || mesh_.time().timeIndex() != 0)
     {
         return;
     }
@@ -223,22 +256,13 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const bool fluid)
 :
     cloud(mesh, "demCloud"),
     mesh_(mesh),
-    dict_
-    (
-        IOobject
-        (
-            "demCloudProperties",
-            mesh.time().constant(),
-            mesh,
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE
-        )
-    ),
+    dict_(propertiesFile(mesh)),
     coupling_("none"),
     rho_(0),
     bins_(mesh),
     timeIndex_(-1),
-    open_(false)
+    open_(false),
+    advancing_(false)
 {
     Info<< "demCloud: reading " << dict_.objectPath() << endl;
 
@@ -264,6 +288,12 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const bool fluid)
         {
             return patchTriangles(names, d);
         };
+    input.restart = cloudState::found(mesh);
+    input.checkShape =
+        [this](const dem::shape& s)
+        {
+            checkSize(s);
+        };
     input.save =
         [this]()
         {
@@ -272,6 +302,16 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const bool fluid)
 
     dem_ = dem::demSolver::New(input);
     checkSizes();
+
+    if (coupling_ != "none" && dem_->moves() && mesh.nSolutionD() < 3)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "The mesh has empty patches, so a sphere would be a cylinder"
+            << " for the fluid but have the mass of a sphere." << nl
+            << "    In two dimensions only bodies that stay where they are"
+            << " (demSolver fixed) or do not touch the fluid (coupling none)"
+            << " are possible." << exit(FatalIOError);
+    }
 
     if (coupling_ != "none")
     {
@@ -290,6 +330,18 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const bool fluid)
                 dict_.subDict("immersed")
             )
         );
+    }
+
+    const bool goesOn =
+        input.restart
+     && cloudState::read
+        (
+            mesh,
+            *dem_,
+            immersed_.valid() ? immersed_.get() : nullptr
+        );
+    if (!goesOn)
+    {
         startForces(0);
     }
 
@@ -306,7 +358,7 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const bool fluid)
               : dictionary()
             )
         );
-        refineInitially();
+        refineInitially(input.restart);
     }
 
     Info<< "    coupling " << coupling_ << ", " << dem_->state().size()

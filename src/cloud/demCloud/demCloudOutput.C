@@ -9,7 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "demCloud.H"
-#include "lagrangianWriter.H"
+#include "cloudState.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -46,6 +46,15 @@ void Foam::demCloud::writeBodies() const
     out.write("diameter", diameter);
     out.write("force", force);
     out.write("torque", torque);
+
+    cloudState::write
+    (
+        mesh_,
+        out,
+        *dem_,
+        immersed_.valid() ? immersed_.get() : nullptr,
+        !advancing_
+    );
 }
 
 

@@ -187,6 +187,7 @@ Foam::coupling::implicitForcing::implicitForcing
     solved_(vector::one),
     thickness_(0),
     fraction_(mesh),
+    open_(false),
     volumeError_(0),
     slip_(0)
 {
@@ -253,6 +254,7 @@ void Foam::coupling::implicitForcing::project(const volVectorField& U)
     }
 
     startImposed(U);
+    open_ = true;
 }
 
 

@@ -144,20 +144,58 @@ void Foam::coupling::implicitForcing::correctMotion()
 }
 
 
-void Foam::coupling::implicitForcing::finish()
+Foam::coupling::implicitForcing::carried
+Foam::coupling::implicitForcing::carriedOf(const label b) const
+{
+    const dem::bodies& state = dem_.state();
+    carried c{{state.v[b], state.omega[b]}, Zero, Zero};
+    c.force = state.fluidForce[b];
+    c.torque = state.fluidTorque[b];
+
+    if (open_)
+    {
+        c.imposed = imposed_[b];
+        if (newForce_.size())
+        {
+            c.force = newForce_[b];
+            c.torque = newTorque_[b];
+        }
+    }
+    else if (imposed0_.found(state.id[b]))
+    {
+        c.imposed = imposed0_[state.id[b]];
+    }
+    return c;
+}
+
+
+void Foam::coupling::implicitForcing::setCarried
+(
+    const label b,
+    const carried& c
+)
 {
     dem::bodies& state = dem_.state();
+    imposed0_.set(state.id[b], c.imposed);
+    state.fluidForce[b] = c.force;
+    state.fluidTorque[b] = c.torque;
+}
 
+
+void Foam::coupling::implicitForcing::finish()
+{
+    if (!open_)
+    {
+        return;
+    }
+
+    // Only of the bodies that are still there
     imposed0_.clear();
     forAll(cells_, b)
     {
-        imposed0_.insert(state.id[b], imposed_[b]);
-        if (newForce_.size())
-        {
-            state.fluidForce[b] = newForce_[b];
-            state.fluidTorque[b] = newTorque_[b];
-        }
+        setCarried(b, carriedOf(b));
     }
+    open_ = false;
 }
 
 

@@ -41,6 +41,10 @@ Foam::PtrList<Foam::dem::shape> Foam::dem::demSolver::readShapes
         (
             new shape(name, dict.subDict(name), input.directory)
         );
+        if (input.checkShape)
+        {
+            input.checkShape(shapes.last());
+        }
     }
     if (shapes.empty())
     {

@@ -174,4 +174,34 @@ void Foam::dem::verletList::renumber(const labelUList& newIndex)
 }
 
 
+Foam::List<Foam::dem::verletList::pairHistory>
+Foam::dem::verletList::histories() const
+{
+    DynamicList<pairHistory> found;
+    forAll(pairs_, p)
+    {
+        if (touching_[p])
+        {
+            found.append(pairHistory{pairs_[p], xi_[p]});
+        }
+    }
+    return List<pairHistory>(std::move(found));
+}
+
+
+void Foam::dem::verletList::setHistories(const UList<pairHistory>& touching)
+{
+    pairs_.clear();
+    xi_.clear();
+    touching_.clear();
+    for (const pairHistory& h : touching)
+    {
+        pairs_.append(h.pair);
+        xi_.append(h.xi);
+        touching_.append(true);
+    }
+    built_.clear();
+}
+
+
 // ************************************************************************* //

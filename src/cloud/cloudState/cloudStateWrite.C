@@ -1,0 +1,161 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "cloudState.H"
+#include "IOdictionary.H"
+
+// * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+wordList namesOf(const PtrList<dem::shape>& shapes)
+{
+    wordList names(shapes.size());
+    forAll(names, i)
+    {
+        names[i] = shapes[i].name();
+    }
+    return names;
+}
+
+
+void writeCarried
+(
+    const lagrangianWriter& out,
+    const coupling::implicitForcing& immersed,
+    const label n
+)
+{
+    vectorField v(n), omega(n), force(n), torque(n);
+    forAll(v, b)
+    {
+        const coupling::implicitForcing::carried c(immersed.carriedOf(b));
+        v[b] = c.imposed.v;
+        omega[b] = c.imposed.omega;
+        force[b] = c.force;
+        torque[b] = c.torque;
+    }
+    out.write("imposedVelocity", v);
+    out.write("imposedAngularVelocity", omega);
+    out.write("fluidForce", force);
+    out.write("fluidTorque", torque);
+}
+
+
+void writePairs
+(
+    const lagrangianWriter& out,
+    const dem::bodies& state,
+    const UList<dem::verletList::pairHistory>& pairs
+)
+{
+    List<DynamicList<label>> spheres(state.size());
+    List<DynamicList<vector>> slip(state.size());
+    for (const dem::verletList::pairHistory& h : pairs)
+    {
+        const label a = state.sphereBody[h.pair.i];
+        const label b = state.sphereBody[h.pair.j];
+        spheres[a].append(h.pair.i - state.firstSphere[a]);
+        spheres[a].append(state.id[b]);
+        spheres[a].append(h.pair.j - state.firstSphere[b]);
+        slip[a].append(h.xi);
+    }
+    out.writeLists("contactSpheres", spheres);
+    out.writeLists("contactSlip", slip);
+}
+
+
+void writeWalls
+(
+    const lagrangianWriter& out,
+    const dem::bodies& state,
+    const UList<dem::wallTouch>& touches
+)
+{
+    List<DynamicList<label>> spheres(state.size());
+    List<DynamicList<vector>> normal(state.size());
+    List<DynamicList<vector>> slip(state.size());
+    for (const dem::wallTouch& t : touches)
+    {
+        const label b = state.sphereBody[t.sphere];
+        spheres[b].append(t.sphere - state.firstSphere[b]);
+        spheres[b].append(t.wallI);
+        normal[b].append(t.n);
+        slip[b].append(t.xi);
+    }
+    out.writeLists("wallSpheres", spheres);
+    out.writeLists("wallNormal", normal);
+    out.writeLists("wallSlip", slip);
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::cloudState::write
+(
+    const fvMesh& mesh,
+    const lagrangianWriter& out,
+    const dem::demSolver& dem,
+    const coupling::implicitForcing* immersed,
+    const bool complete
+)
+{
+    const dem::bodies& state = dem.state();
+
+    vectorField axis(state.size());
+    scalarField w(state.size());
+    forAll(axis, b)
+    {
+        axis[b] = state.q[b].v();
+        w[b] = state.q[b].w();
+    }
+    out.write("position", state.x);
+    out.write("rotation", axis);
+    out.write("rotationW", w);
+    out.write("angularMomentum", state.L);
+    out.write("material", state.materialI);
+
+    if (immersed)
+    {
+        writeCarried(out, *immersed, state.size());
+    }
+
+    const dem::contactHistory history(dem.history());
+    writePairs(out, state, history.pairs);
+    writeWalls(out, state, history.walls);
+
+    IOdictionary dict(counters(mesh, IOobject::NO_READ));
+    dict.add("time", mesh.time().value());
+    dict.add("complete", complete);
+    dict.add("fluid", immersed != nullptr);
+    dict.add("nBodies", state.size());
+    dict.add("nextId", state.nextId());
+    dict.add("shapes", namesOf(dem.shapes()));
+    dict.add("materials", dem.mats().names());
+    dict.add("walls", dem.walls());
+    dem.writeCounters(dict);
+
+    lagrangianWriter::allDigits digits;
+    dict.regIOobject::writeObject
+    (
+        IOstream::ASCII,
+        IOstream::currentVersion,
+        IOstream::UNCOMPRESSED,
+        true
+    );
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,69 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "hadesSolver.H"
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::wordList Foam::dem::hadesSolver::walls() const
+{
+    wordList names(walls_.walls().size());
+    forAll(names, w)
+    {
+        names[w] = walls_.walls()[w].name();
+    }
+    return names;
+}
+
+
+Foam::dem::contactHistory Foam::dem::hadesSolver::history() const
+{
+    return contactHistory{list_.histories(), walls_.touches()};
+}
+
+
+void Foam::dem::hadesSolver::setHistory(const contactHistory& history)
+{
+    list_.setHistories(history.pairs);
+    walls_.setTouches(history.walls);
+}
+
+
+void Foam::dem::hadesSolver::writeCounters(dictionary& dict) const
+{
+    dictionary entered;
+    for (const generator& g : generators_)
+    {
+        entered.add(g.name(), g.nEntered());
+    }
+    dict.add("entered", entered);
+
+    dictionary step;
+    control_->writeState(step);
+    dict.add("stepControl", step);
+}
+
+
+void Foam::dem::hadesSolver::readCounters(const dictionary& dict)
+{
+    // A generator that is new in the case starts with its first body
+    const dictionary& entered = dict.subDict("entered");
+    for (generator& g : generators_)
+    {
+        if (entered.found(g.name()))
+        {
+            g.setEntered(entered.get<label>(g.name()));
+        }
+    }
+    control_->readState(dict.subDict("stepControl"));
+}
+
+
+// ************************************************************************* //
