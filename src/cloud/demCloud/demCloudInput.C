@@ -301,7 +301,6 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const bool fluid)
         };
 
     dem_ = dem::demSolver::New(input);
-    checkSizes();
 
     if (coupling_ != "none" && dem_->moves() && mesh.nSolutionD() < 3)
     {
