@@ -99,7 +99,8 @@ def runIn(case, *command, log=None):
     """Run a program in a case; stop the test if it fails."""
     log = os.path.join(case, log or "log." + command[0])
     with open(log, "w") as out:
-        status = subprocess.call(command, stdout=out, stderr=out, cwd=case)
+        status = subprocess.call(command, stdout=out, stderr=out, cwd=case,
+                                 env=dict(os.environ, PWD=os.path.abspath(case)))
     if status:
         with open(log) as text:
             print("".join(text.readlines()[-40:]))
