@@ -99,22 +99,18 @@ Foam::scalar Foam::coupling::volumeFraction::inside
     const label refinements
 )
 {
-    // No point is farther from a corner than the longest edge
-    scalar edge2 = 0;
+    // No point is farther from a corner than the corner's longest edge
     for (label i = 0; i < 4; ++i)
     {
-        for (label j = 0; j < i; ++j)
+        scalar edge2 = 0;
+        for (label j = 0; j < 4; ++j)
         {
             edge2 = max(edge2, magSqr(t[i].x - t[j].x));
         }
-    }
-    if (t[0].phi > 0 && sqr(t[0].phi) > edge2)
-    {
-        return 0;
-    }
-    if (t[0].phi < 0 && sqr(t[0].phi) > edge2)
-    {
-        return volume(t);
+        if (sqr(t[i].phi) > edge2)
+        {
+            return t[i].phi > 0 ? 0 : volume(t);
+        }
     }
     if (!refinements)
     {
@@ -155,13 +151,13 @@ Foam::scalar Foam::coupling::volumeFraction::inside
 
 Foam::scalar Foam::coupling::volumeFraction::operator()
 (
-    const bodyGeometry& body,
+    const bodyGeometry& whole,
     const label cell,
     const scalar radius
 ) const
 {
     const point& centre = mesh_.cellCentres()[cell];
-    const scalar phi = body.distance(centre);
+    const scalar phi = whole.distance(centre);
 
     if (phi >= radius)
     {
@@ -172,11 +168,14 @@ Foam::scalar Foam::coupling::volumeFraction::operator()
         return 1;
     }
 
-    // Spheres that are small beside the cell ask for smaller tetrahedra
+    const bodyGeometry body(whole.near(centre, radius));
+
+    // Spheres that are small beside the cell, and creases between spheres,
+    // ask for smaller tetrahedra
     const label refinements = max
     (
-        refinements_,
-        min(label(std::ceil(std::log2(5*radius/body.minRadius()))), label(5))
+        refinements_ + (body.nSpheres() > 1 ? 1 : 0),
+        min(label(std::ceil(std::log2(4*radius/body.minRadius()))), label(5))
     );
 
     const pointField& points = mesh_.points();
