@@ -92,11 +92,30 @@ Foam::scalar Foam::coupling::volumeFraction::insideLinear
 }
 
 
+bool Foam::coupling::volumeFraction::creased
+(
+    const bodyGeometry& body,
+    const tet& t
+)
+{
+    const label first = body.nearest(t[0].x);
+    for (label k = 1; k < 4; ++k)
+    {
+        if (body.nearest(t[k].x) != first)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
 Foam::scalar Foam::coupling::volumeFraction::inside
 (
     const bodyGeometry& body,
     const tet& t,
-    const label refinements
+    const label refinements,
+    const label creases
 )
 {
     // No point is farther from a corner than the corner's longest edge
@@ -112,7 +131,7 @@ Foam::scalar Foam::coupling::volumeFraction::inside
             return t[i].phi > 0 ? 0 : volume(t);
         }
     }
-    if (!refinements)
+    if (!refinements && !(creases && creased(body, t)))
     {
         return insideLinear(body, t);
     }
@@ -141,7 +160,10 @@ Foam::scalar Foam::coupling::volumeFraction::inside
     scalar sum = 0;
     for (const tet& part : parts)
     {
-        sum += inside(body, part, refinements - 1);
+        sum +=
+            refinements
+          ? inside(body, part, refinements - 1, creases)
+          : inside(body, part, 0, creases - 1);
     }
     return sum;
 }
@@ -170,11 +192,10 @@ Foam::scalar Foam::coupling::volumeFraction::operator()
 
     const bodyGeometry body(whole.near(centre, radius));
 
-    // Spheres that are small beside the cell, and creases between spheres,
-    // ask for smaller tetrahedra
+    // Spheres that are small beside the cell ask for smaller tetrahedra
     const label refinements = max
     (
-        refinements_ + (body.nSpheres() > 1 ? 1 : 0),
+        refinements_,
         min(label(std::ceil(std::log2(4*radius/body.minRadius()))), label(5))
     );
 
@@ -200,7 +221,7 @@ Foam::scalar Foam::coupling::volumeFraction::operator()
             t[3].phi = body.distance(t[3].x);
 
             all += volume(t);
-            sum += inside(body, t, refinements);
+            sum += inside(body, t, refinements, 3);
         }
     }
 
