@@ -130,10 +130,12 @@ void Foam::demCloud::beginStep()
         checkFinite();
     }
 
-    if (immersed_.valid())
+    // Bodies that stay in cells that stay are found once
+    if (immersed_.valid() && (dem_->moves() || !projected_))
     {
         ledger::entry e(ledger_, "bodies on the mesh (volume fraction)");
         immersed_->project(U());
+        projected_ = true;
     }
 }
 
@@ -199,6 +201,7 @@ void Foam::demCloud::autoMap(const mapPolyMesh&)
 {
     ledger::entry e(ledger_, "cells sorted after a mesh change");
     bins_.update();
+    projected_ = false;
 }
 
 

@@ -261,6 +261,7 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const bool fluid)
     rho_(0),
     bins_(mesh),
     timeIndex_(-1),
+    projected_(false),
     open_(false),
     advancing_(false)
 {

@@ -186,7 +186,9 @@ Foam::coupling::implicitForcing::implicitForcing
     virtualMass_(0.5),
     solved_(vector::one),
     thickness_(0),
-    fraction_(mesh),
+    // Cells that are long in an empty direction are cut deeper; bodies do not
+    // move there, so it is done once
+    fraction_(mesh, mesh.nSolutionD() < 3 ? 5 : 1),
     open_(false),
     volumeError_(0),
     slip_(0)
