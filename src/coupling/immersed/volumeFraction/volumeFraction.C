@@ -225,7 +225,10 @@ Foam::scalar Foam::coupling::volumeFraction::operator()
         }
     }
 
-    return sum/max(all, VSMALL);
+    // Round-off, which depends on the order of the faces and so on the ranks,
+    // must not make a cut cell of a full one
+    const scalar beta = sum/max(all, VSMALL);
+    return beta > 1 - 1e-9 ? 1 : beta < 1e-9 ? 0 : beta;
 }
 
 
