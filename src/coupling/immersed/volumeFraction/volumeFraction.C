@@ -98,6 +98,20 @@ bool Foam::coupling::volumeFraction::creased
     const tet& t
 )
 {
+    // Only where the surface passes between the corners or close by
+    const scalar close = 0.4*mag(t[1].x - t[0].x);
+    scalar low = t[0].phi;
+    scalar high = t[0].phi;
+    for (const corner& c : t)
+    {
+        low = min(low, c.phi);
+        high = max(high, c.phi);
+    }
+    if (low > close || high < -close)
+    {
+        return false;
+    }
+
     const label first = body.nearest(t[0].x);
     for (label k = 1; k < 4; ++k)
     {
