@@ -75,6 +75,11 @@ public:
         ++n_;
     }
 
+    virtual scalar stepInContact(const scalar duration) const
+    {
+        return duration;
+    }
+
     virtual scalar minDeltaT() const
     {
         return 0;

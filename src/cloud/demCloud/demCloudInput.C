@@ -12,9 +12,11 @@ License
 #include "cloudState.H"
 #include "allowedKeys.H"
 #include "checkedEntry.H"
+#include "dictionaryText.H"
 #include "dynamicRefineFvMesh.H"
 #include "fvcFlux.H"
 #include "ListListOps.H"
+#include "OSspecific.H"
 #include "uniformDimensionedFields.H"
 #include "wallPolyPatch.H"
 
@@ -44,6 +46,12 @@ Foam::IOobject propertiesFile(const Foam::fvMesh& mesh)
             << " doc/dictionaries/demCloudProperties.md) or take the entry"
             << " of type demCloud out of constant/fvOptions."
             << exit(FatalError);
+    }
+
+    const fileName text(typeFilePath<IOdictionary>(io));
+    if (isFile(text, false))
+    {
+        dem::checkText(text);
     }
     return io;
 }
@@ -363,6 +371,7 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const bool fluid)
 
     Info<< "    coupling " << coupling_ << ", " << dem_->state().size()
         << " bodies of " << dem_->state().nSpheres() << " spheres" << endl;
+    check(false).writeAdvice(Info);
 }
 
 

@@ -105,6 +105,7 @@ void Foam::dem::hadesSolver::checkOverlaps()
     }
 
     computeForces(0);
+    report_.overlap = summary_.overlap;
 
     if (summary_.overlap > 1e-3)
     {
@@ -151,6 +152,31 @@ bool Foam::dem::hadesSolver::hasRoom(const newBody& body) const
         }
     }
     return true;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::List<Foam::dem::generatorPlan> Foam::dem::hadesSolver::plans() const
+{
+    List<generatorPlan> all(generators_.size());
+    forAll(generators_, i)
+    {
+        all[i] = generators_[i].plan();
+    }
+    return all;
+}
+
+
+bool Foam::dem::hadesSolver::hasRoomFor(const label i) const
+{
+    newBody body;
+    return generators_[i].make
+    (
+        generators_[i].nEntered(),
+        [this](const newBody& n) { return hasRoom(n); },
+        body
+    );
 }
 
 

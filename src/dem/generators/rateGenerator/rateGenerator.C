@@ -113,6 +113,15 @@ Foam::dem::rateGenerator::rateGenerator
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::dem::generatorPlan Foam::dem::rateGenerator::plan() const
+{
+    return generatorPlan
+    {
+        name(), shapeI_, materialI_, low_, high_, velocity_, rate_, total_
+    };
+}
+
+
 Foam::label Foam::dem::rateGenerator::nDue(const scalar t) const
 {
     if (t < start_)

@@ -10,6 +10,7 @@ License
 #include "shape.H"
 #include "allowedKeys.H"
 #include "checkedEntry.H"
+#include "dictionaryText.H"
 #include "Fstream.H"
 #include "OSspecific.H"
 #include "StringStream.H"
@@ -106,6 +107,7 @@ Foam::dictionary Foam::dem::shape::readFile
         badEntry(dict, "file", "names the file " + file + ", which is missing");
     }
 
+    checkText(file);
     IFstream is(file);
     dictionary content(is);
     checkKeys(content, bodyKeys);

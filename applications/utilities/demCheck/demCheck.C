@@ -1,0 +1,157 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+Application
+    demCheck
+
+Description
+    Reads a case without running it, as its solver would, and says what it
+    found: sizes, times, memory, and what it would advise. Exit status 1 with
+    the error if the case is wrong. See Foam::caseCheck.
+
+\*---------------------------------------------------------------------------*/
+
+#include "argList.H"
+#include "columnFvMesh.H"
+#include "Time.H"
+#include "volFields.H"
+#include "demCloud.H"
+
+using namespace Foam;
+
+// * * * * * * * * * * * * * * * * Functions * * * * * * * * * * * * * * * * //
+
+//- Does the case itself say that its bodies are in a fluid?
+bool inFluid(const fvMesh& mesh)
+{
+    const IOdictionary properties
+    (
+        IOobject
+        (
+            "demCloudProperties",
+            mesh.time().constant(),
+            mesh,
+            IOobject::READ_IF_PRESENT,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+    const word application
+    (
+        mesh.time().controlDict().getOrDefault<word>("application", "none")
+    );
+    return
+        application != "demFoam"
+     && properties.getOrDefault<word>("coupling", "none") != "none";
+}
+
+
+//- Is an entry of the dictionary the cloud?
+bool loadsCloud(const dictionary& dict)
+{
+    for (const entry& e : dict)
+    {
+        if
+        (
+            e.isDict()
+         && e.dict().getOrDefault<word>("type", "none") == "demCloud"
+        )
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+//- Does anything make the solver of the case load the bodies?
+bool isLoaded(const fvMesh& mesh)
+{
+    for (const word& folder : {mesh.time().constant(), mesh.time().system()})
+    {
+        const IOdictionary options
+        (
+            IOobject
+            (
+                "fvOptions",
+                folder,
+                mesh,
+                IOobject::READ_IF_PRESENT,
+                IOobject::NO_WRITE,
+                false
+            )
+        );
+        if (loadsCloud(options))
+        {
+            return true;
+        }
+    }
+    return loadsCloud(mesh.time().controlDict().subOrEmptyDict("functions"));
+}
+
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+int main(int argc, char *argv[])
+{
+    argList::addNote
+    (
+        "Checks a case with particles without running it, and advises."
+    );
+    argList::noFunctionObjects();
+
+    #include "setRootCase.H"
+    #include "createTime.H"
+    #include "createMesh.H"
+
+    const bool fluid = inFluid(mesh);
+    autoPtr<volVectorField> U;
+    if (fluid)
+    {
+        // What the coupling looks up
+        U.reset
+        (
+            new volVectorField
+            (
+                IOobject
+                (
+                    "U",
+                    runTime.timeName(),
+                    mesh,
+                    IOobject::MUST_READ,
+                    IOobject::NO_WRITE
+                ),
+                mesh
+            )
+        );
+    }
+
+    {
+        const demCloud cloud(mesh, fluid);
+        const caseCheck check(cloud.check(true));
+
+        Info<< nl << "demCheck: " << runTime.caseName() << " at time "
+            << runTime.timeName() << ", "
+            << (fluid ? "in a fluid" : "no fluid") << nl;
+        check.writeFigures(Info);
+        if (fluid && !isLoaded(mesh))
+        {
+            Info<< "    Advice: No entry of type demCloud in"
+                << " constant/fvOptions loads the bodies." << nl;
+        }
+        check.writeAdvice(Info);
+        Info<< "demCheck: the case can run"
+            << (check.advice().empty() ? ", nothing to advise" : "")
+            << nl << endl;
+    }
+
+    return 0;
+}
+
+
+// ************************************************************************* //

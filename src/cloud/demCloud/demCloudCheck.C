@@ -1,0 +1,89 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "demCloud.H"
+#include "cloudState.H"
+#include "dynamicRefineFvMesh.H"
+
+// * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- A dictionary of the folder constant; empty if there is none
+Foam::IOdictionary constantDict(const Foam::fvMesh& mesh, const char* name)
+{
+    using namespace Foam;
+
+    return IOdictionary
+    (
+        IOobject
+        (
+            name,
+            mesh.time().constant(),
+            mesh,
+            IOobject::READ_IF_PRESENT,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::caseCheck::surroundings Foam::demCloud::surroundings() const
+{
+    caseCheck::surroundings s;
+    s.deltaT = mesh_.time().deltaTValue();
+    s.restart = cloudState::found(mesh_);
+
+    if (coupling_ == "none")
+    {
+        return s;
+    }
+    s.rho = rho_;
+
+    const IOdictionary transport(constantDict(mesh_, "transportProperties"));
+    if (transport.found("nu"))
+    {
+        s.nu = dimensionedScalar("nu", dimViscosity, transport).value();
+    }
+
+    const IOdictionary meshDict(constantDict(mesh_, "dynamicMeshDict"));
+    if
+    (
+        interface_.valid()
+     && meshDict.getOrDefault<word>("dynamicFvMesh", "none")
+     == dynamicRefineFvMesh::typeName
+    )
+    {
+        s.levelsToCome =
+            meshDict.optionalSubDict("dynamicRefineFvMeshCoeffs")
+           .get<label>("maxRefinement");
+
+        // One that runs is refined around its bodies before this is asked
+        s.levels = isA<dynamicRefineFvMesh>(mesh_) ? 0 : s.levelsToCome;
+    }
+    return s;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::caseCheck Foam::demCloud::check(const bool thorough) const
+{
+    return caseCheck(mesh_, bins_, *dem_, surroundings(), thorough);
+}
+
+
+// ************************************************************************* //
