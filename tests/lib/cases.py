@@ -33,10 +33,12 @@ def run(*command, log=None):
 
 
 def setEntry(file, key, value):
-    """Set an entry of a dictionary; sub-dictionaries by a slash."""
+    """Set an entry of a dictionary, or remove it if the value is None;
+    sub-dictionaries by a slash."""
+    what = ["-remove"] if value is None else ["-set", value]
     subprocess.check_call(
-        ["foamDictionary", "-entry", key.replace("/", "."), "-set", value,
-         file], stdout=subprocess.DEVNULL)
+        ["foamDictionary", "-entry", key.replace("/", ".")] + what + [file],
+        stdout=subprocess.DEVNULL)
 
 
 def vector(text):

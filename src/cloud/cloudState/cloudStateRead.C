@@ -232,6 +232,31 @@ List<dem::wallTouch> readWalls
     return List<dem::wallTouch>(std::move(touches));
 }
 
+
+//- The last time before the present one that was written to its end; the
+//  same on all ranks
+word lastWhole(const Time& time)
+{
+    word found;
+    if (Pstream::master())
+    {
+        for (const instant& t : time.times())
+        {
+            if
+            (
+                t.name() != time.constant()
+             && t.value() < time.value()
+             && isFile(time.path()/t.name()/"uniform"/"demCloudProperties")
+            )
+            {
+                found = t.name();
+            }
+        }
+    }
+    Pstream::scatter(found);
+    return found;
+}
+
 } // End anonymous namespace
 
 
@@ -266,16 +291,29 @@ bool Foam::cloudState::found(const fvMesh& mesh)
     IOobject io(counters(mesh, IOobject::MUST_READ));
     const bool counted = io.typeHeaderOk<IOdictionary>(true);
 
-    if (any && !counted)
+    if (counted)
+    {
+        return !IOdictionary(io).lookupOrDefault<bool>("start", false);
+    }
+
+    const word earlier(lastWhole(mesh.time()));
+    if (any || earlier.size())
     {
         FatalIOError(FUNCTION_NAME, __FILE__, __LINE__, io.objectPath())
-            << "The time " << mesh.time().timeName() << " has bodies in"
-            << " lagrangian/demCloud, but this file is missing or broken."
-            << nl << "    To start with the bodies of"
-            << " constant/demCloudProperties, remove lagrangian/demCloud."
+            << "This file is missing or broken, though "
+            << (any ? "there are bodies in lagrangian/demCloud" :
+                "the time " + earlier + " has it")
+            << "." << nl
+            << "    It is written last: the run was stopped while it wrote the"
+            << " time " << mesh.time().timeName() << "," << nl
+            << "    or the file was lost. Go on from an earlier time;"
+            << " demRestart puts times aside that are not whole." << nl
+            << "    To start anew from here with the bodies of"
+            << " constant/demCloudProperties, remove lagrangian/demCloud" << nl
+            << "    and write the file with the one entry 'start yes;'."
             << exit(FatalIOError);
     }
-    return counted;
+    return false;
 }
 
 

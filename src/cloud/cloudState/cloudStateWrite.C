@@ -9,7 +9,9 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "cloudState.H"
-#include "IOdictionary.H"
+#include "OFstream.H"
+#include "OSspecific.H"
+#include "PstreamReduceOps.H"
 
 // * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
 
@@ -31,7 +33,7 @@ wordList namesOf(const PtrList<dem::shape>& shapes)
 
 void writeCarried
 (
-    const lagrangianWriter& out,
+    lagrangianWriter& out,
     const coupling::implicitForcing& immersed,
     const label n
 )
@@ -54,7 +56,7 @@ void writeCarried
 
 void writePairs
 (
-    const lagrangianWriter& out,
+    lagrangianWriter& out,
     const dem::bodies& state,
     const UList<dem::verletList::pairHistory>& pairs
 )
@@ -77,7 +79,7 @@ void writePairs
 
 void writeWalls
 (
-    const lagrangianWriter& out,
+    lagrangianWriter& out,
     const dem::bodies& state,
     const UList<dem::wallTouch>& touches
 )
@@ -103,10 +105,10 @@ void writeWalls
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
-void Foam::cloudState::write
+Foam::autoPtr<Foam::IOdictionary> Foam::cloudState::write
 (
     const fvMesh& mesh,
-    const lagrangianWriter& out,
+    lagrangianWriter& out,
     const dem::demSolver& dem,
     const coupling::implicitForcing* immersed,
     const bool complete
@@ -136,25 +138,61 @@ void Foam::cloudState::write
     writePairs(out, state, history.pairs);
     writeWalls(out, state, history.walls);
 
-    IOdictionary dict(counters(mesh, IOobject::NO_READ));
-    dict.add("time", mesh.time().value());
-    dict.add("complete", complete);
-    dict.add("fluid", immersed != nullptr);
-    dict.add("nBodies", state.size());
-    dict.add("nextId", state.nextId());
-    dict.add("shapes", namesOf(dem.shapes()));
-    dict.add("materials", dem.mats().names());
-    dict.add("walls", dem.walls());
-    dem.writeCounters(dict);
-
-    lagrangianWriter::allDigits digits;
-    dict.regIOobject::writeObject
+    autoPtr<IOdictionary> dict
     (
-        IOstream::ASCII,
-        IOstream::currentVersion,
-        IOstream::UNCOMPRESSED,
-        true
+        new IOdictionary(counters(mesh, IOobject::NO_READ))
     );
+    dict->add("time", mesh.time().value());
+    dict->add("complete", complete);
+    dict->add("fluid", immersed != nullptr);
+    dict->add("nBodies", state.size());
+    dict->add("nextId", state.nextId());
+    dict->add("shapes", namesOf(dem.shapes()));
+    dict->add("materials", dem.mats().names());
+    dict->add("walls", dem.walls());
+    dem.writeCounters(*dict);
+    dict->add("checksums", out.checksums());
+    return dict;
+}
+
+
+void Foam::cloudState::finish(const IOdictionary& dict)
+{
+    // All ranks have written the time
+    returnReduce(true, andOp<bool>());
+
+    const fileName path(dict.objectPath());
+    const fileName part(path + ".part");
+    mkDir(path.path());
+    {
+        OFstream os(part);
+        os.precision(17);
+        dict.writeHeader(os);
+        dict.writeData(os);
+        IOobject::writeEndDivider(os);
+    }
+    mv(part, path);
+}
+
+
+void Foam::cloudState::markStart(const fvMesh& mesh)
+{
+    IOdictionary dict(counters(mesh, IOobject::NO_READ));
+    if (!returnReduce(isFile(dict.objectPath()), andOp<bool>()))
+    {
+        dict.add("start", true);
+        finish(dict);
+    }
+}
+
+
+void Foam::cloudState::begin(const fvMesh& mesh)
+{
+    const fileName path(counters(mesh, IOobject::NO_READ).objectPath());
+    if (isFile(path))
+    {
+        rm(path);
+    }
 }
 
 

@@ -9,8 +9,10 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "demCloud.H"
-#include "rankSum.H"
+#include "cloudState.H"
 #include "mapPolyMesh.H"
+#include "rankBoundaries.H"
+#include "rankSum.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -106,6 +108,11 @@ void Foam::demCloud::beginStep()
         return;
     }
     endStep();
+    finishWriting();
+    if (time.writeTime())
+    {
+        cloudState::begin(mesh_);
+    }
     timeIndex_ = time.timeIndex();
     open_ = true;
 
@@ -200,6 +207,7 @@ void Foam::demCloud::endStep()
 void Foam::demCloud::autoMap(const mapPolyMesh&)
 {
     ledger::entry e(ledger_, "cells sorted after a mesh change");
+    coupling::updateRankBoundaries(mesh_);
     bins_.update();
     projected_ = false;
 }

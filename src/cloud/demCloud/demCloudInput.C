@@ -211,7 +211,7 @@ void Foam::demCloud::refineInitially(const bool restarted)
 
     dynamicRefineFvMesh* mesh =
         dynamic_cast<dynamicRefineFvMesh*>(const_cast<fvMesh*>(&mesh_));
-    if (!mesh || restarted || mesh_.time().timeIndex() != 0)
+    if (!mesh)
     {
         return;
     }
@@ -230,6 +230,12 @@ void Foam::demCloud::refineInitially(const bool restarted)
     );
     const dictionary& coeffs =
         meshDict.optionalSubDict("dynamicRefineFvMeshCoeffs");
+    interface_->checkLevels(coeffs);
+    if (restarted || mesh_.time().timeIndex() != 0)
+    {
+        return;
+    }
+
     const label interval = coeffs.get<label>("refineInterval");
     const label levels = coeffs.get<label>("maxRefinement");
 
@@ -307,6 +313,7 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const bool fluid)
         [this]()
         {
             const_cast<Time&>(mesh_.time()).writeNow();
+            finishWriting();
         };
 
     dem_ = dem::demSolver::New(input);
@@ -369,6 +376,11 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const bool fluid)
         refineInitially(input.restart);
     }
 
+    if (!input.restart)
+    {
+        cloudState::markStart(mesh);
+    }
+
     Info<< "    coupling " << coupling_ << ", " << dem_->state().size()
         << " bodies of " << dem_->state().nSpheres() << " spheres" << endl;
     check(false).writeAdvice(Info);
@@ -378,6 +390,7 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const bool fluid)
 Foam::demCloud::~demCloud()
 {
     endStep();
+    finishWriting();
     ledger_.close();
 }
 

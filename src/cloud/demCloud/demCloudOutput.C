@@ -47,7 +47,7 @@ void Foam::demCloud::writeBodies() const
     out.write("force", force);
     out.write("torque", torque);
 
-    cloudState::write
+    written_ = cloudState::write
     (
         mesh_,
         out,
@@ -80,6 +80,16 @@ void Foam::demCloud::writeSpheres() const
 }
 
 
+void Foam::demCloud::finishWriting()
+{
+    if (written_.valid())
+    {
+        cloudState::finish(*written_);
+        written_.clear();
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 bool Foam::demCloud::writeObject
@@ -90,6 +100,7 @@ bool Foam::demCloud::writeObject
     const bool
 ) const
 {
+    cloudState::begin(mesh_);
     writeBodies();
     writeSpheres();
     return true;

@@ -11,7 +11,68 @@ License
 #include "refinementInterface.H"
 #include "bodyGeometry.H"
 #include "allowedKeys.H"
+#include "bitSet.H"
 #include "checkedEntry.H"
+#include "syncTools.H"
+
+// * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+// What the field is where fine cells stay fine
+const scalar keep = 0.7;
+
+// dynamicRefineFvMesh takes the mean over the cells around a point, of which
+// a rank may have any; with n cells of which one is not marked that is at
+// most 1 - (1 - keep)/n. A point has 8 cells; here it may have 15.
+const scalar leastRefineLevel = 0.98;
+
+// A ball around any point of a cube with this radius over the cube's own
+// reaches a corner or the centre: sqrt(5)/4 of the edge
+const scalar cover = 0.65;
+
+
+//- Choose the points of a cell that a layer around a body covers; all of them
+//  if the body is too small to reach one
+void choosePoints
+(
+    const fvMesh& mesh,
+    const coupling::bodyGeometry& body,
+    const label cell,
+    const scalar centreDistance,
+    const scalar radius,
+    const scalar layer,
+    bitSet& chosen
+)
+{
+    const scalar reach = max(layer, cover*radius);
+    if (centreDistance > reach + radius)
+    {
+        return;
+    }
+
+    const labelList& points = mesh.cellPoints()[cell];
+    bool any = centreDistance + radius < reach;
+    const bool all = any;
+    for (const label p : points)
+    {
+        if (all || body.distance(mesh.points()[p]) < reach)
+        {
+            chosen.set(p);
+            any = true;
+        }
+    }
+    if (!any && centreDistance < reach)
+    {
+        chosen.set(points);
+    }
+}
+
+} // End anonymous namespace
+
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -54,6 +115,7 @@ void Foam::coupling::refinementInterface::mark
 {
     scalarField& value = field_.primitiveFieldRef();
     value = 0;
+    bitSet chosen(mesh_.nPoints());
 
     vector solved(vector::one);
     for (direction d = 0; d < 3; ++d)
@@ -77,22 +139,49 @@ void Foam::coupling::refinementInterface::mark
             s.boundingRadius() + outer,
             [&](const label c)
             {
+                const scalar distance = body.distance(mesh_.C()[c]);
+                const scalar radius = bins_.radius(c);
+
+                choosePoints(mesh_, body, c, distance, radius, inner, chosen);
+
                 // The cell's edge over its diagonal is 0.58 for a cube
-                const scalar nearest =
-                    body.distance(mesh_.C()[c]) - 0.6*bins_.radius(c);
-                if (nearest < inner)
+                if (distance - 0.6*radius < outer)
                 {
-                    value[c] = 1;
-                }
-                else if (nearest < outer)
-                {
-                    value[c] = max(value[c], 0.7);
+                    value[c] = keep;
                 }
             }
         );
     }
 
+    // All cells around a chosen point, whichever rank has them: the mean over
+    // any of them is 1
+    syncTools::syncPointList(mesh_, chosen, orEqOp<unsigned int>(), 0u);
+    const labelListList& pointCells = mesh_.pointCells();
+    for (const label p : chosen)
+    {
+        for (const label c : pointCells[p])
+        {
+            value[c] = 1;
+        }
+    }
+
     field_.correctBoundaryConditions();
+}
+
+
+void Foam::coupling::refinementInterface::checkLevels
+(
+    const dictionary& dict
+) const
+{
+    if (dict.get<word>("field") != field_.name())
+    {
+        return;
+    }
+
+    dem::getInRange(dict, "lowerRefineLevel", leastRefineLevel, 0.9999);
+    dem::getInRange(dict, "upperRefineLevel", 1.01, GREAT);
+    dem::getInRange(dict, "unrefineLevel", 0.01, keep);
 }
 
 

@@ -221,19 +221,23 @@ Foam::scalar Foam::coupling::volumeFraction::operator()
     {
         const face& corners = mesh_.faces()[f];
 
-        tet t;
-        t[0] = corner{centre, phi};
-        t[1].x = points[corners[0]];
-        t[1].phi = body.distance(t[1].x);
-        t[3].x = points[corners[1]];
-        t[3].phi = body.distance(t[3].x);
-
-        for (label k = 2; k < corners.size(); ++k)
+        // The fan starts at the corner nearest to the body: with which one
+        // the face happens to begin is another on another rank
+        DynamicList<corner, 12> fan;
+        label first = 0;
+        for (const label p : corners)
         {
-            t[2] = t[3];
-            t[3].x = points[corners[k]];
-            t[3].phi = body.distance(t[3].x);
+            fan.append(corner{points[p], body.distance(points[p])});
+            if (fan.last().phi < fan[first].phi)
+            {
+                first = fan.size() - 1;
+            }
+        }
+        std::rotate(fan.begin(), fan.begin() + first, fan.end());
 
+        for (label k = 2; k < fan.size(); ++k)
+        {
+            const tet t({corner{centre, phi}, fan[0], fan[k - 1], fan[k]});
             all += volume(t);
             sum += inside(body, t, refinements, 3);
         }
