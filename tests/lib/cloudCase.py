@@ -108,11 +108,26 @@ def runIn(case, *command, log=None):
     return log
 
 
-def runParallel(case, ranks, program):
-    """Decompose a case along x and run a program on its ranks."""
+def runParallel(case, ranks, program, blocks=None):
+    """Decompose a case, along x or in blocks such as "(2 2 1)", and run a
+    program on its ranks."""
     file = case + "/system/decomposeParDict"
     setEntry(file, "numberOfSubdomains", str(ranks))
-    setEntry(file, "simpleCoeffs/n", "(%d 1 1)" % ranks)
+    setEntry(file, "simpleCoeffs/n", blocks or "(%d 1 1)" % ranks)
     runIn(case, "decomposePar", "-force")
-    return runIn(case, "mpirun", "--oversubscribe", "-np", str(ranks),
-                 program, "-parallel", log="log." + program)
+    return runIn(case, *onRanks(ranks, program), log="log." + program)
+
+
+def onRanks(ranks, program):
+    """The command of a program on ranks, which leave the core to others while
+    they wait."""
+    return ["mpirun", "--oversubscribe", "--mca", "mpi_yield_when_idle", "1",
+            "-np", str(ranks), program, "-parallel"]
+
+
+def meshChanges(log):
+    """What a log tells of the cells that were refined and merged."""
+    with open(log) as text:
+        return [line for line in text if re.match(
+            r"(Selected \d+ (cells for|split points)|(Un)?[Rr]efined from)",
+            line)]
