@@ -35,11 +35,8 @@ void Foam::demCloud::startForces(const label firstNew)
     dem::bodies& state = dem_->state();
     for (label b = firstNew; b < state.size(); ++b)
     {
-        const scalar m = state.mass[b];
-        const scalar mf = rho_*state.shapeOf(b).volume();
-        const scalar added = coupling_ == "twoWay" ? 0.5*mf : 0;
         state.fluidForce[b] =
-            (m*(m - mf)/(m + added) - m)*dem_->g();
+            immersed_->startForce(b, coupling_ == "twoWay");
     }
 }
 
@@ -147,8 +144,12 @@ void Foam::demCloud::beginStep()
 }
 
 
-void Foam::demCloud::addForcing(fvMatrix<vector>& eqn)
+void Foam::demCloud::addForcing(fvMatrix<vector>& eqn, const word& density)
 {
+    if (rho_.valid())
+    {
+        rho_->checkEquation(density);
+    }
     beginStep();
 
     if (immersed_.valid())

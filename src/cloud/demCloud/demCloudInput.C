@@ -272,7 +272,6 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const bool fluid)
     mesh_(mesh),
     dict_(propertiesFile(mesh)),
     coupling_("none"),
-    rho_(0),
     bins_(mesh),
     timeIndex_(-1),
     projected_(false),
@@ -332,7 +331,7 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const bool fluid)
     {
         const dictionary& fluidDict = dict_.subDict("fluid");
         dem::checkKeys(fluidDict, {"rho"});
-        rho_ = dem::getPositive(fluidDict, "rho");
+        rho_.reset(new coupling::fluidDensity(mesh.thisDb(), fluidDict));
 
         immersed_.reset
         (
@@ -341,7 +340,7 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const bool fluid)
                 mesh,
                 bins_,
                 *dem_,
-                rho_,
+                *rho_,
                 dict_.subDict("immersed")
             )
         );

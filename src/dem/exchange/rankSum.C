@@ -44,6 +44,12 @@ void Foam::dem::sumOverRanks(List<scalar>& values)
 }
 
 
+void Foam::dem::maxOverRanks(List<scalar>& values)
+{
+    combine(values, maxEqOp<scalar>());
+}
+
+
 void Foam::dem::anyOverRanks(boolList& flags)
 {
     combine(flags, orEqOp<bool>());

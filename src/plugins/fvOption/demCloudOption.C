@@ -46,20 +46,6 @@ Foam::fv::demCloudOption::demCloudOption
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::fv::demCloudOption::addSup
-(
-    const volScalarField& rho,
-    fvMatrix<vector>&,
-    const label
-)
-{
-    FatalErrorInFunction
-        << "The momentum equation has a density, " << rho.name()
-        << ": type demCloud works in incompressible solvers"
-        << " (pimpleFoam, pisoFoam) only." << exit(FatalError);
-}
-
-
 bool Foam::fv::demCloudOption::read(const dictionary& dict)
 {
     return option::read(dict);

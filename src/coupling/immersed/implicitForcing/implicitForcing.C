@@ -35,6 +35,7 @@ void Foam::coupling::implicitForcing::findCells(const label b)
                 (
                     bodyCell{c, beta, state.velocityAt(b, mesh_.C()[c])}
                 );
+                cells.last().rho = rho_[c];
             }
         }
     );
@@ -173,7 +174,7 @@ Foam::coupling::implicitForcing::implicitForcing
     const fvMesh& mesh,
     const cellBins& bins,
     dem::demSolver& dem,
-    const scalar rho,
+    const fluidDensity& rho,
     const dictionary& dict
 )
 :
@@ -183,7 +184,7 @@ Foam::coupling::implicitForcing::implicitForcing
     rho_(rho),
     kappa_(1000),
     viscousRate_(20),
-    virtualMass_(0.5),
+    virtualMass_(1.5),
     solved_(vector::one),
     thickness_(0),
     // Cells that are long in an empty direction are cut deeper; bodies do not
@@ -197,7 +198,7 @@ Foam::coupling::implicitForcing::implicitForcing
     dem::getChoice(dict, "type", {"implicitForcing"});
     kappa_ = dem::getPositive(dict, "kappa", 1000);
     viscousRate_ = dem::getPositive(dict, "viscousRate", 20);
-    virtualMass_ = dem::getInRange(dict, "virtualMass", 0, 2, 0.5);
+    virtualMass_ = dem::getInRange(dict, "virtualMass", 0, 10, 1.5);
 
     for (direction d = 0; d < 3; ++d)
     {
@@ -321,7 +322,9 @@ void Foam::coupling::implicitForcing::addTo(fvMatrix<vector>& eqn)
                 bc.target = bc.Ub;
                 bc.K = kappa_/mesh_.time().deltaTValue();
             }
-            const scalar KV = bc.K*mesh_.V()[bc.cell];
+            bc.rho = rho_[bc.cell];
+            const scalar KV =
+                bc.K*mesh_.V()[bc.cell]*(rho_.isField() ? bc.rho : 1);
             diagonal_[bc.cell] += KV;
             source_[bc.cell] += KV*bc.target;
         }
@@ -347,7 +350,7 @@ void Foam::coupling::implicitForcing::sumForces(const volVectorField& U)
         for (const bodyCell& bc : cells_[b])
         {
             const vector f =
-                (rho_*bc.K*mesh_.V()[bc.cell])*(U[bc.cell] - bc.target);
+                (bc.rho*bc.K*mesh_.V()[bc.cell])*(U[bc.cell] - bc.target);
             F += f;
             T += (mesh_.C()[bc.cell] - state.x[b]) ^ f;
         }
@@ -370,7 +373,9 @@ Foam::vector Foam::coupling::implicitForcing::forceOnFluid
     {
         F += source_[c] - diagonal_[c]*U[c];
     }
-    return rho_*returnReduce(F, sumOp<vector>());
+    return
+        (rho_.isField() ? 1 : rho_.uniform())
+       *returnReduce(F, sumOp<vector>());
 }
 
 

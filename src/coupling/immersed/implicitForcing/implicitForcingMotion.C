@@ -63,20 +63,101 @@ void Foam::coupling::implicitForcing::startImposed(const volVectorField& U)
 }
 
 
+void Foam::coupling::implicitForcing::findDisplaced()
+{
+    const dem::bodies& state = dem_.state();
+    displaced_.setSize(state.size());
+
+    if (!rho_.isField())
+    {
+        forAll(displaced_, b)
+        {
+            const dem::shape& s = state.shapeOf(b);
+            const scalar rho = rho_.uniform();
+            displaced_[b] =
+                displacedFluid
+                {
+                    rho*s.unionVolume(),
+                    rho*s.volume(),
+                    rho*s.unionVolume(),
+                    Zero
+                };
+        }
+        return;
+    }
+
+    List<scalar> mass(state.size(), scalar(0));
+    List<scalar> densest(state.size(), scalar(0));
+    List<vector> moment(state.size(), vector(Zero));
+    forAll(cells_, b)
+    {
+        for (const bodyCell& bc : cells_[b])
+        {
+            const scalar m = bc.beta*bc.rho*mesh_.V()[bc.cell];
+            mass[b] += m;
+            moment[b] += m*(mesh_.C()[bc.cell] - state.x[b]);
+            if (bc.beta < 1)
+            {
+                densest[b] = max(densest[b], bc.rho);
+            }
+        }
+    }
+    dem::sumOverRanks(mass);
+    dem::maxOverRanks(densest);
+    dem::sumOverRanks(moment);
+    forAll(displaced_, b)
+    {
+        displaced_[b] =
+            displacedFluid
+            {
+                mass[b],
+                mass[b],
+                densest[b]*state.shapeOf(b).unionVolume(),
+                moment[b]
+            };
+    }
+}
+
+
+const Foam::coupling::addedMass&
+Foam::coupling::implicitForcing::addedOf(const label b)
+{
+    const dem::shape& s = dem_.state().shapeOf(b);
+    if (!added_.found(s.name()))
+    {
+        added_.insert
+        (
+            s.name(),
+            addedMass(s.volume(), s.inertiaPerDensity())
+        );
+    }
+    return added_[s.name()];
+}
+
+
 void Foam::coupling::implicitForcing::move(const label b)
 {
     dem::bodies& state = dem_.state();
-    const dem::shape& s = state.shapeOf(b);
     const imposedMotion& old = imposed0_[state.id[b]];
     const imposedMotion& now = imposed_[b];
     const scalar dt = mesh_.time().deltaTValue();
-    const scalar C = virtualMass_;
     const vector& g = dem_.g();
+    const displacedFluid& fluid = displaced_[b];
+    const tensor R = state.q[b].R();
+    const auto inSpace = [&R](const vector& d)
+    {
+        return R & tensor(d.x(), 0, 0, 0, d.y(), 0, 0, 0, d.z()) & R.T();
+    };
 
     // Translation
     const scalar m = state.mass[b];
-    const scalar mf = rho_*s.unionVolume();
+    const scalar mf = fluid.mass;
+    const tensor A =
+        inSpace(virtualMass_*fluid.around*addedOf(b).mass());
+    const tensor inverse = inv(m*tensor::I + A);
     const vector& F0 = state.fluidForce[b];
+    const vector dv = now.v - old.v;
+    const vector dOmega = now.omega - old.omega;
 
     // What contacts did: all of the change that the held forces did not make
     const vector J = m*(now.v - v0_[b]) - dt*(m*g + F0);
@@ -84,33 +165,45 @@ void Foam::coupling::implicitForcing::move(const label b)
     const vector v =
         v0_[b]
       + (
-            dt*force_[b]
-          + (1 + C)*mf*(now.v - old.v)
-          + dt*(m - rho_*s.volume())*g
-          + J
-        )/(m + C*mf);
+            inverse
+          & (
+                dt*force_[b]
+              + (dOmega ^ fluid.moment)
+              + mf*dv + (A & dv)
+              + dt*(m - fluid.buoyant)*g
+              + J
+            )
+        );
 
-    // Rotation: the inertia of the fluid inside is that of the body, scaled
-    const scalar ratio = rho_*s.volume()/m;
+    // Rotation: the inertia of the fluid inside is that of the body, scaled.
+    // The viscous layer is part of what turns with it
+    const vector T = torque_[b] + (fluid.moment ^ (dv/dt - g));
     const tensor I = state.inertiaTensor(b);
-    const vector Lnow = I & now.omega;
-    const vector JL = Lnow - L0_[b] - dt*state.fluidTorque[b];
+    const tensor B =
+        inSpace
+        (
+            fluid.around/m*(0.5*vector::one + virtualMass_*addedOf(b).inertia())
+        );
+    const tensor inverseB = inv(tensor::I + B);
+    const vector dL = I & dOmega;
+    const vector JL = (I & now.omega) - L0_[b] - dt*state.fluidTorque[b];
 
     const vector L =
-        (
+        inverseB
+      & (
             L0_[b]
-          + C*ratio*(I & omega0_[b])
-          + dt*torque_[b]
-          + (1 + C)*ratio*(I & (now.omega - old.omega))
+          + (B & (I & omega0_[b]))
+          + dt*T
+          + fluid.buoyant/m*dL + (B & dL)
           + JL
-        )/(1 + C*ratio);
+        );
 
     // The force to hold in the next step, without the fluid's answer to the
     // contacts of this one, which will not come again
     newForce_[b] =
-        (m*(v - v0_[b]) - J)/dt - m*g + (C*mf/(m + C*mf))*J/dt;
+        (m*(v - v0_[b]) - J)/dt - m*g + (A & (inverse & J))/dt;
     newTorque_[b] =
-        (L - L0_[b] - JL)/dt + (C*ratio/(1 + C*ratio))*JL/dt;
+        (L - L0_[b] - JL)/dt + (B & (inverseB & JL))/dt;
 
     state.v[b] = v;
     state.L[b] = L;
@@ -119,6 +212,44 @@ void Foam::coupling::implicitForcing::move(const label b)
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::vector Foam::coupling::implicitForcing::startForce
+(
+    const label b,
+    const bool twoWay
+)
+{
+    const dem::bodies& state = dem_.state();
+    const scalar m = state.mass[b];
+
+    scalar mf = 0;
+    scalar around = 0;
+    if (rho_.isField())
+    {
+        cells_.setSize(max(cells_.size(), b + 1));
+        findCells(b);
+        for (const bodyCell& bc : cells_[b])
+        {
+            mf += bc.beta*bc.rho*mesh_.V()[bc.cell];
+            around = max(around, bc.rho);
+        }
+        reduce(mf, sumOp<scalar>());
+        reduce(around, maxOp<scalar>());
+        around *= state.shapeOf(b).unionVolume();
+    }
+    else
+    {
+        mf = around = rho_.uniform()*state.shapeOf(b).volume();
+    }
+
+    // The acceleration along each principal axis, and what it takes
+    const vector added = (twoWay ? around : 0)*addedOf(b).mass();
+    const tensor R = state.q[b].R();
+    const vector a =
+        cmptDivide((m - mf)*(R.T() & dem_.g()), m*vector::one + added);
+    return m*((R & a) - dem_.g());
+}
+
 
 void Foam::coupling::implicitForcing::store()
 {
@@ -132,6 +263,7 @@ void Foam::coupling::implicitForcing::store()
 void Foam::coupling::implicitForcing::correctMotion()
 {
     const dem::bodies& state = dem_.state();
+    findDisplaced();
     newForce_.setSize(state.size());
     newTorque_.setSize(state.size());
 

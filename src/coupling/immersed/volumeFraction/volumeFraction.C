@@ -10,7 +10,6 @@ License
 
 #include "volumeFraction.H"
 
-#include <algorithm>
 #include <cmath>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -30,8 +29,19 @@ Foam::scalar Foam::coupling::volumeFraction::negativeFraction
     const FixedList<scalar, 4>& phi
 )
 {
+    // Sorted by five comparisons
     FixedList<scalar, 4> f(phi);
-    std::sort(f.begin(), f.end());
+    const auto order = [&f](const label i, const label j)
+    {
+        const scalar low = min(f[i], f[j]);
+        f[j] = max(f[i], f[j]);
+        f[i] = low;
+    };
+    order(0, 1);
+    order(2, 3);
+    order(0, 2);
+    order(1, 3);
+    order(1, 2);
 
     if (f[0] >= 0)
     {
@@ -71,14 +81,17 @@ Foam::scalar Foam::coupling::volumeFraction::insideLinear
 )
 {
     const point mean = 0.25*(t[0].x + t[1].x + t[2].x + t[3].x);
-    const vector r = body.fromNearestCentre(mean);
+    const vector r =
+        oneSphere(t)
+      ? body.fromCentre(t[0].ball, mean)
+      : body.fromNearestCentre(mean);
     const scalar rho = max(mag(r), VSMALL);
     const vector n = r/rho;
 
     scalar bulge = 0;
-    for (const corner& c : t)
+    for (label k = 0; k < 4; ++k)
     {
-        const vector d = body.inPlane(c.x - mean);
+        const vector d = body.inPlane(t[k].x - mean);
         bulge += magSqr(d) - sqr(d & n);
     }
     bulge *= 0.1/rho;
@@ -88,39 +101,67 @@ Foam::scalar Foam::coupling::volumeFraction::insideLinear
     {
         phi[k] = t[k].phi - bulge;
     }
-    return negativeFraction(phi)*volume(t);
+    return negativeFraction(phi);
 }
 
 
-bool Foam::coupling::volumeFraction::creased
-(
-    const bodyGeometry& body,
-    const tet& t
-)
+bool Foam::coupling::volumeFraction::creased(const tet& t)
 {
-    // Only where the surface passes between the corners or close by
-    const scalar close = 0.4*mag(t[1].x - t[0].x);
-    scalar low = t[0].phi;
-    scalar high = t[0].phi;
-    for (const corner& c : t)
-    {
-        low = min(low, c.phi);
-        high = max(high, c.phi);
-    }
-    if (low > close || high < -close)
+    if (oneSphere(t))
     {
         return false;
     }
 
-    const label first = body.nearest(t[0].x);
+    // Only where the surface passes between the corners or close by
+    const scalar close = 0.4*mag(t[1].x - t[0].x);
+    scalar low = t[0].phi;
+    scalar high = t[0].phi;
     for (label k = 1; k < 4; ++k)
     {
-        if (body.nearest(t[k].x) != first)
+        low = min(low, t[k].phi);
+        high = max(high, t[k].phi);
+    }
+    return low <= close && high >= -close;
+}
+
+
+Foam::scalar Foam::coupling::volumeFraction::longest2(const tet& t)
+{
+    scalar edge2 = 0;
+    for (label i = 0; i < 3; ++i)
+    {
+        for (label j = i + 1; j < 4; ++j)
         {
-            return true;
+            edge2 = max(edge2, magSqr(t[i].x - t[j].x));
         }
     }
-    return false;
+    return edge2;
+}
+
+
+Foam::label Foam::coupling::volumeFraction::side
+(
+    const bodyGeometry& body,
+    const tet& t,
+    const scalar edge2
+)
+{
+    const scalar low =
+        min(min(t[0].phi, t[1].phi), min(t[2].phi, t[3].phi));
+    const scalar high =
+        max(max(t[0].phi, t[1].phi), max(t[2].phi, t[3].phi));
+
+    // The distance to a ball is a convex function. Its curvature is 1/rho at
+    // most, so between the corners it is lower by 3/16 edge^2/rho at most
+    if (low > 0.1875*edge2/body.minRadius())
+    {
+        return 1;
+    }
+    if (high <= 0 && (oneSphere(t) || sqr(low) > edge2))
+    {
+        return -1;
+    }
+    return 0;
 }
 
 
@@ -128,58 +169,52 @@ Foam::scalar Foam::coupling::volumeFraction::inside
 (
     const bodyGeometry& body,
     const tet& t,
+    const scalar edge2,
     const label refinements,
     const label creases
 )
 {
-    // No point is farther from a corner than the corner's longest edge
-    for (label i = 0; i < 4; ++i)
+    const label where = side(body, t, edge2);
+    if (where)
     {
-        scalar edge2 = 0;
-        for (label j = 0; j < 4; ++j)
-        {
-            edge2 = max(edge2, magSqr(t[i].x - t[j].x));
-        }
-        if (sqr(t[i].phi) > edge2)
-        {
-            return t[i].phi > 0 ? 0 : volume(t);
-        }
+        return where > 0 ? 0 : 1;
     }
-    if (!refinements && !(creases && creased(body, t)))
+    if (!refinements && !(creases && creased(t)))
     {
         return insideLinear(body, t);
     }
 
     const auto middle = [&](const label i, const label j)
     {
-        const point x = 0.5*(t[i].x + t[j].x);
-        return corner{x, body.distance(x)};
+        return corner(body, 0.5*(t[i].x + t[j].x));
     };
     const corner m01 = middle(0, 1), m02 = middle(0, 2), m03 = middle(0, 3);
     const corner m12 = middle(1, 2), m13 = middle(1, 3), m23 = middle(2, 3);
 
     // Four at the corners, four in the octahedron that is left
-    const FixedList<tet, 8> parts
-    ({
-        tet({t[0], m01, m02, m03}),
-        tet({t[1], m01, m12, m13}),
-        tet({t[2], m02, m12, m23}),
-        tet({t[3], m03, m13, m23}),
-        tet({m01, m23, m02, m03}),
-        tet({m01, m23, m03, m13}),
-        tet({m01, m23, m13, m12}),
-        tet({m01, m23, m12, m02})
-    });
+    const tet parts[8] =
+    {
+        {t[0], m01, m02, m03},
+        {t[1], m01, m12, m13},
+        {t[2], m02, m12, m23},
+        {t[3], m03, m13, m23},
+        {m01, m23, m02, m03},
+        {m01, m23, m03, m13},
+        {m01, m23, m13, m12},
+        {m01, m23, m12, m02}
+    };
+    const scalar partEdge2 = max(0.25*edge2, magSqr(m01.x - m23.x));
 
+    // All of the same volume
     scalar sum = 0;
     for (const tet& part : parts)
     {
         sum +=
             refinements
-          ? inside(body, part, refinements - 1, creases)
-          : inside(body, part, 0, creases - 1);
+          ? inside(body, part, partEdge2, refinements - 1, creases)
+          : inside(body, part, partEdge2, 0, creases - 1);
     }
-    return sum;
+    return sum/8;
 }
 
 
@@ -214,6 +249,8 @@ Foam::scalar Foam::coupling::volumeFraction::operator()
     );
 
     const pointField& points = mesh_.points();
+    const corner atCentre(body, centre);
+    DynamicList<corner, 12> fan;
     scalar sum = 0;
     scalar all = 0;
 
@@ -223,11 +260,11 @@ Foam::scalar Foam::coupling::volumeFraction::operator()
 
         // The fan starts at the corner nearest to the body: with which one
         // the face happens to begin is another on another rank
-        DynamicList<corner, 12> fan;
+        fan.clear();
         label first = 0;
         for (const label p : corners)
         {
-            fan.append(corner{points[p], body.distance(points[p])});
+            fan.append(corner(body, points[p]));
             if (fan.last().phi < fan[first].phi)
             {
                 first = fan.size() - 1;
@@ -237,9 +274,10 @@ Foam::scalar Foam::coupling::volumeFraction::operator()
 
         for (label k = 2; k < fan.size(); ++k)
         {
-            const tet t({corner{centre, phi}, fan[0], fan[k - 1], fan[k]});
-            all += volume(t);
-            sum += inside(body, t, refinements, 3);
+            const tet t(atCentre, fan[0], fan[k - 1], fan[k]);
+            const scalar V = volume(t);
+            all += V;
+            sum += V*inside(body, t, longest2(t), refinements, 3);
         }
     }
 
