@@ -95,6 +95,68 @@ bool isLoaded(const fvMesh& mesh)
 }
 
 
+//- The densest fluid of the case everywhere [kg/m3], where the coupling looks
+//  up the density of a solver that is not there; none if it is a number
+autoPtr<volScalarField> densityField(const fvMesh& mesh)
+{
+    autoPtr<volScalarField> field;
+    const auto read = [&mesh](const word& name)
+    {
+        return IOdictionary
+        (
+            IOobject
+            (
+                name,
+                mesh.time().constant(),
+                mesh,
+                IOobject::READ_IF_PRESENT,
+                IOobject::NO_WRITE,
+                false
+            )
+        );
+    };
+
+    const IOdictionary properties(read("demCloudProperties"));
+    const dictionary& fluid = properties.subOrEmptyDict("fluid");
+    token first;
+    if (fluid.found("rho"))
+    {
+        fluid.lookup("rho").read(first);
+    }
+    if (!first.isWord())
+    {
+        return field;
+    }
+
+    scalar rho = 0;
+    const IOdictionary transport(read("transportProperties"));
+    for (const entry& phase : transport)
+    {
+        if (phase.isDict() && phase.dict().found("rho"))
+        {
+            rho = max
+            (
+                rho,
+                dimensionedScalar("rho", dimDensity, phase.dict()).value()
+            );
+        }
+    }
+    if (rho > 0)
+    {
+        field.reset
+        (
+            new volScalarField
+            (
+                IOobject(first.wordToken(), mesh.time().timeName(), mesh),
+                mesh,
+                dimensionedScalar("rho", dimDensity, rho)
+            )
+        );
+    }
+    return field;
+}
+
+
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
 int main(int argc, char *argv[])
@@ -111,8 +173,11 @@ int main(int argc, char *argv[])
 
     const bool fluid = inFluid(mesh);
     autoPtr<volVectorField> U;
+    autoPtr<volScalarField> rho;
     if (fluid)
     {
+        rho = densityField(mesh);
+
         // What the coupling looks up
         U.reset
         (

@@ -51,7 +51,7 @@ Foam::caseCheck::surroundings Foam::demCloud::surroundings() const
     {
         return s;
     }
-    s.rho = rho_;
+    s.rho = rho_->isField() ? 0 : rho_->uniform();
 
     const IOdictionary transport(constantDict(mesh_, "transportProperties"));
     if (transport.found("nu"))
