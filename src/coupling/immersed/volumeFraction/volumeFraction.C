@@ -10,6 +10,7 @@ License
 
 #include "volumeFraction.H"
 
+#include <algorithm>
 #include <cmath>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
