@@ -36,7 +36,7 @@ int main(int argc, char *argv[])
     #include "createMesh.H"
 
     {
-        demCloud cloud(mesh, false);
+        demCloud cloud(mesh, demCloud::fluidAccess::none);
 
         while (runTime.run())
         {

@@ -26,7 +26,7 @@ namespace Foam
 
 void Foam::demCloud::startForces(const label firstNew)
 {
-    if (coupling_ == "none")
+    if (!immersed_.valid())
     {
         return;
     }
@@ -112,6 +112,10 @@ void Foam::demCloud::beginStep()
     }
     timeIndex_ = time.timeIndex();
     open_ = true;
+    if (interval_.valid())
+    {
+        interval_->checkAsked();
+    }
 
     const scalar t1 = time.value();
     const scalar t0 = t1 - time.deltaTValue();
@@ -123,6 +127,16 @@ void Foam::demCloud::beginStep()
         const label n = dem_->state().size();
         dem_->enter(t0);
         startForces(n);
+    }
+
+    if (points_.valid())
+    {
+        ledger::entry e(ledger_, "forces of the fluid on points");
+        points_->sample(U().oldTime());
+    }
+
+    {
+        ledger::entry e(ledger_, "bodies (contacts, motion)");
 
         if (immersed_.valid())
         {
@@ -200,8 +214,20 @@ void Foam::demCloud::endStep()
     {
         immersed_->finish();
     }
+    if (points_.valid())
+    {
+        exchange_.Re = points_->largestRe();
+    }
     ledger_.line(dem_->state(), dem_->report(), exchange_);
     exchange_ = ledger::exchange();
+}
+
+
+void Foam::demCloud::close()
+{
+    endStep();
+    finishWriting();
+    ledger_.close();
 }
 
 

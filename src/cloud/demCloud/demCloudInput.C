@@ -69,23 +69,126 @@ void Foam::demCloud::checkInput() const
         {
             "coupling", "demSolver", "fluid", "materials", "pairs", "shapes",
             "bodies", "generators", "contact", "walls", "integrator",
-            "stepControl", "neighbours", "immersed", "interface"
+            "stepControl", "neighbours", "immersed", "forces", "interface",
+            "couplingInterval"
         }
     );
+}
 
-    if (dict_.found("coupling", keyType::LITERAL))
+
+void Foam::demCloud::checkCoupling(const fluidAccess access) const
+{
+    const auto refuse = [this](const word& block, const string& why)
     {
-        word asked;
-        dict_.lookup("coupling") >> asked;
-        if (asked == "fluidToParticles")
+        if (dict_.found(block))
         {
-            dem::badEntry
+            dem::badEntry(dict_, block, why);
+        }
+    };
+
+    const bool points = coupling_ == "fluidToParticles";
+    if (access == fluidAccess::look)
+    {
+        if (coupling_ != "none" && !points)
+        {
+            refuse
             (
-                dict_,
                 "coupling",
-                "fluidToParticles needs drag laws, which are not there yet"
+                "is " + coupling_ + ", but a function object cannot act on"
+                " the fluid.\n"
+                "    Move  particles { type demCloud; }  from functions in"
+                " system/controlDict to\n    constant/fvOptions (in a solver"
+                " that has fvOptions, as pimpleFoam), or take\n"
+                "    coupling none or fluidToParticles"
             );
         }
+        refuse("interface", "needs the fvOption demCloud; take it out");
+    }
+
+    if (points)
+    {
+        const string why
+        (
+            "does not go with coupling fluidToParticles, in which bodies are"
+            " points to the fluid; take it out"
+        );
+        refuse("immersed", why);
+        refuse("interface", why);
+    }
+    else if (coupling_ != "none")
+    {
+        refuse
+        (
+            "forces",
+            "does not go with coupling " + coupling_ + ", in which the forces"
+            " follow from the flow around the bodies; take it out"
+        );
+        if (dem_->moves() && mesh_.nSolutionD() < 3)
+        {
+            FatalIOErrorInFunction(dict_)
+                << "The mesh has empty patches, so a sphere would be a"
+                << " cylinder for the fluid but have the mass of a sphere."
+                << nl
+                << "    In two dimensions only bodies that stay where they are"
+                << " (demSolver fixed) or that the fluid does not feel" << nl
+                << "    (coupling none, fluidToParticles) are possible."
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
+void Foam::demCloud::readCoupling(const fluidAccess access)
+{
+    checkCoupling(access);
+
+    if (coupling_ == "fluidToParticles")
+    {
+        points_.reset
+        (
+            new coupling::pointForces
+            (
+                mesh_,
+                bins_,
+                *dem_,
+                dict_.subDict("fluid"),
+                dict_.subDict("forces")
+            )
+        );
+
+        // From here on the solver keeps the old time level
+        U().oldTime();
+    }
+    else if (coupling_ != "none")
+    {
+        const dictionary& fluidDict = dict_.subDict("fluid");
+        dem::checkKeys(fluidDict, {"rho"});
+        rho_.reset(new coupling::fluidDensity(mesh_.thisDb(), fluidDict));
+
+        immersed_.reset
+        (
+            new coupling::implicitForcing
+            (
+                mesh_,
+                bins_,
+                *dem_,
+                *rho_,
+                dict_.subDict("immersed")
+            )
+        );
+    }
+
+    if (access != fluidAccess::none && dict_.found("couplingInterval"))
+    {
+        interval_.reset
+        (
+            new coupling::couplingInterval
+            (
+                mesh_,
+                bins_,
+                dict_.subDict("couplingInterval")
+            )
+        );
     }
 }
 
@@ -266,7 +369,7 @@ void Foam::demCloud::refineInitially(const bool restarted)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::demCloud::demCloud(const fvMesh& mesh, const bool fluid)
+Foam::demCloud::demCloud(const fvMesh& mesh, const fluidAccess access)
 :
     cloud(mesh, "demCloud"),
     mesh_(mesh),
@@ -285,9 +388,9 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const bool fluid)
     (
         dict_,
         "coupling",
-        {"none", "particlesToFluid", "twoWay"}
+        {"none", "fluidToParticles", "particlesToFluid", "twoWay"}
     );
-    if (!fluid)
+    if (access == fluidAccess::none)
     {
         coupling_ = "none";
     }
@@ -312,39 +415,16 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const bool fluid)
         [this]()
         {
             const_cast<Time&>(mesh_.time()).writeNow();
+            if (writeOpt() != IOobject::AUTO_WRITE)
+            {
+                write();
+            }
             finishWriting();
         };
 
     dem_ = dem::demSolver::New(input);
 
-    if (coupling_ != "none" && dem_->moves() && mesh.nSolutionD() < 3)
-    {
-        FatalIOErrorInFunction(dict_)
-            << "The mesh has empty patches, so a sphere would be a cylinder"
-            << " for the fluid but have the mass of a sphere." << nl
-            << "    In two dimensions only bodies that stay where they are"
-            << " (demSolver fixed) or do not touch the fluid (coupling none)"
-            << " are possible." << exit(FatalIOError);
-    }
-
-    if (coupling_ != "none")
-    {
-        const dictionary& fluidDict = dict_.subDict("fluid");
-        dem::checkKeys(fluidDict, {"rho"});
-        rho_.reset(new coupling::fluidDensity(mesh.thisDb(), fluidDict));
-
-        immersed_.reset
-        (
-            new coupling::implicitForcing
-            (
-                mesh,
-                bins_,
-                *dem_,
-                *rho_,
-                dict_.subDict("immersed")
-            )
-        );
-    }
+    readCoupling(access);
 
     const bool goesOn =
         input.restart
@@ -359,7 +439,7 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const bool fluid)
         startForces(0);
     }
 
-    if (fluid)
+    if (access == fluidAccess::act && !points_.valid())
     {
         interface_.reset
         (
@@ -388,9 +468,7 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const bool fluid)
 
 Foam::demCloud::~demCloud()
 {
-    endStep();
-    finishWriting();
-    ledger_.close();
+    close();
 }
 
 

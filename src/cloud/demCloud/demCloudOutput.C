@@ -33,7 +33,7 @@ void Foam::demCloud::writeBodies() const
         axis[b] = q.v();
         w[b] = q.w();
         diameter[b] = state.shapeOf(b).equivalentDiameter();
-        force[b] = state.force[b];
+        force[b] = state.forceWithDrag(b);
         torque[b] = state.torque[b];
         if (immersed_.valid() && !dem_->moves())
         {

@@ -127,6 +127,11 @@ void Foam::ledger::line
             << " %, slip " << coupled.slip << " m/s";
     }
 
+    if (coupled.Re >= 0)
+    {
+        Info<< ", Re up to " << coupled.Re;
+    }
+
     Info<< ", " << share << " % of the time" << endl;
 }
 

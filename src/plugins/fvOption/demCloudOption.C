@@ -10,6 +10,7 @@ License
 
 #include "demCloudOption.H"
 #include "allowedKeys.H"
+#include "demCloudFunctionObject.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -35,16 +36,36 @@ Foam::fv::demCloudOption::demCloudOption
 )
 :
     option(name, modelType, dict, mesh),
-    cloud_(mesh, true)
+    cloud_(mesh, demCloud::fluidAccess::act)
 {
     dem::checkKeys(dict, {"type", "active", "demCloudCoeffs"});
 
     fieldNames_.setSize(1, "U");
     applied_.setSize(1, false);
+    functionObjects::demCloudFunctionObject::bringAlong(mesh.time());
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fv::demCloudOption::addSup(fvMatrix<vector>& eqn, const label)
+{
+    functionObjects::demCloudFunctionObject::bringAlong(mesh_.time());
+    cloud_.addForcing(eqn);
+}
+
+
+void Foam::fv::demCloudOption::addSup
+(
+    const volScalarField& rho,
+    fvMatrix<vector>& eqn,
+    const label
+)
+{
+    functionObjects::demCloudFunctionObject::bringAlong(mesh_.time());
+    cloud_.addForcing(eqn, rho.name());
+}
+
 
 bool Foam::fv::demCloudOption::read(const dictionary& dict)
 {

@@ -78,9 +78,8 @@ void Foam::dem::stormerVerlet::step
     forAll(state.x, b)
     {
         // First half kick
-        const vector kick = (h/state.mass[b])*state.force[b];
         const vector turnKick = h*state.torque[b];
-        state.vHalf[b] = state.v[b] + kick;
+        state.vHalf[b] = state.v[b] + state.kick(b, state.v[b], h);
         state.L[b] += turnKick;
 
         // Drift
@@ -93,7 +92,7 @@ void Foam::dem::stormerVerlet::step
 
         // Velocities that the forces at the new time see
         state.omegaHalf[b] = state.omegaFrom(b, state.L[b]);
-        state.v[b] = state.vHalf[b] + kick;
+        state.v[b] = state.vHalf[b] + state.kick(b, state.vHalf[b], h);
         state.omega[b] = state.omegaFrom(b, state.L[b] + turnKick);
     }
 
@@ -102,7 +101,7 @@ void Foam::dem::stormerVerlet::step
     // Second half kick
     forAll(state.x, b)
     {
-        state.v[b] = state.vHalf[b] + (h/state.mass[b])*state.force[b];
+        state.v[b] = state.vHalf[b] + state.kick(b, state.vHalf[b], h);
         state.L[b] += h*state.torque[b];
         state.omega[b] = state.omegaFrom(b, state.L[b]);
     }

@@ -64,7 +64,7 @@ Foam::dem::stepChoice Foam::dem::hadesStep::propose
         const scalar allowed = maxDisplacement_*s.minRadius();
         const scalar speed =
             mag(state.v[b]) + mag(state.omega[b])*s.boundingRadius();
-        const scalar acceleration = mag(state.force[b])/state.mass[b];
+        const scalar acceleration = mag(state.forceWithDrag(b))/state.mass[b];
         const scalar dt =
             2*allowed
            /max
