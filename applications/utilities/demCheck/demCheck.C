@@ -69,8 +69,8 @@ bool loadsCloud(const dictionary& dict)
 }
 
 
-//- Does anything make the solver of the case load the bodies?
-bool isLoaded(const fvMesh& mesh)
+//- Do the fvOptions make the solver of the case load the bodies?
+bool inOptions(const fvMesh& mesh)
 {
     for (const word& folder : {mesh.time().constant(), mesh.time().system()})
     {
@@ -91,6 +91,13 @@ bool isLoaded(const fvMesh& mesh)
             return true;
         }
     }
+    return false;
+}
+
+
+//- Do the function objects?
+bool inFunctions(const fvMesh& mesh)
+{
     return loadsCloud(mesh.time().controlDict().subOrEmptyDict("functions"));
 }
 
@@ -197,17 +204,26 @@ int main(int argc, char *argv[])
     }
 
     {
-        const demCloud cloud(mesh, fluid);
+        const bool options = inOptions(mesh);
+        const bool functions = inFunctions(mesh);
+        const demCloud cloud
+        (
+            mesh,
+            !fluid ? demCloud::fluidAccess::none
+          : options || !functions ? demCloud::fluidAccess::act
+          : demCloud::fluidAccess::look
+        );
         const caseCheck check(cloud.check(true));
 
         Info<< nl << "demCheck: " << runTime.caseName() << " at time "
             << runTime.timeName() << ", "
             << (fluid ? "in a fluid" : "no fluid") << nl;
         check.writeFigures(Info);
-        if (fluid && !isLoaded(mesh))
+        if (fluid && !options && !functions)
         {
             Info<< "    Advice: No entry of type demCloud in"
-                << " constant/fvOptions loads the bodies." << nl;
+                << " constant/fvOptions, or in functions in controlDict, loads"
+                << " the bodies." << nl;
         }
         check.writeAdvice(Info);
         Info<< "demCheck: the case can run"

@@ -158,7 +158,16 @@ void Foam::caseCheck::checkSizes()
         largest = max(largest, 2*s.boundingRadius());
         cells = min(cells, d/k.cell);
 
-        if (around_.rho > 0 && d < 8*k.cell)
+        if (around_.points && d > k.cell)
+        {
+            sentence os;
+            os  << nameOf(k).c_str() << ", " << d << " m, is a point to the"
+                << " fluid (coupling fluidToParticles) but larger than a cell,"
+                << " " << k.cell << " m: it sees the velocity at its centre"
+                << " only.";
+            advice_.append(os.str());
+        }
+        if (resolved() && d < 8*k.cell)
         {
             sentence os;
             os  << "There are " << d/k.cell << " cells over the diameter of "
@@ -182,7 +191,7 @@ void Foam::caseCheck::checkSizes()
         "solidFraction", allVolume/domain, "-",
         "volume of all bodies, also those to come, over the domain's"
     );
-    if (around_.rho > 0)
+    if (around_.rho > 0 || around_.points)
     {
         addFigure
         (
@@ -191,6 +200,15 @@ void Foam::caseCheck::checkSizes()
         );
     }
 
+    if (around_.points && allVolume > 0.01*domain)
+    {
+        sentence os;
+        os  << "The bodies that are there and those to come fill "
+            << 100*allVolume/domain << " % of the domain. As points"
+            << " (coupling fluidToParticles) each has the drag of one that is"
+            << " alone, and the fluid does not feel them: up to 1 % is usual.";
+        advice_.append(os.str());
+    }
     if (allVolume > 0.6*domain)
     {
         sentence os;
@@ -237,7 +255,7 @@ void Foam::caseCheck::checkMemory()
         const scalar n = scalar(k.nStart) + scalar(k.nToCome);
         const dem::shape& s = shapeOf(k);
         bodies += n*(bodyBytes + s.radii().size()*sphereBytes);
-        if (around_.rho > 0)
+        if (resolved())
         {
             // Those inside and those that the surface cuts
             const scalar across = s.equivalentDiameter()/k.cell;
@@ -252,7 +270,7 @@ void Foam::caseCheck::checkMemory()
         "memoryBodies", bodies/1048576, "MB",
         "all bodies and their contacts, on each rank"
     );
-    if (around_.rho > 0)
+    if (resolved())
     {
         addFigure
         (

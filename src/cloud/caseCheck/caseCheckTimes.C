@@ -275,7 +275,7 @@ void Foam::caseCheck::checkFluidStep()
             "relaxationTime", least, "s",
             "shortest in which the fluid takes a body along"
         );
-        if (around_.deltaT > 0.5*least)
+        if (resolved() && around_.deltaT > 0.5*least)
         {
             sentence os;
             os  << "The fluid takes a body along in " << least

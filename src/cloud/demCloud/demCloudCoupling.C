@@ -1,0 +1,135 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+
+\*---------------------------------------------------------------------------*/
+
+#include "demCloud.H"
+#include "allowedKeys.H"
+#include "checkedEntry.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::demCloud::checkCoupling(const fluidAccess access) const
+{
+    const auto refuse = [this](const word& block, const string& why)
+    {
+        if (dict_.found(block))
+        {
+            dem::badEntry(dict_, block, why);
+        }
+    };
+
+    const bool points = coupling_ == "fluidToParticles";
+    if (access == fluidAccess::look)
+    {
+        if (coupling_ != "none" && !points)
+        {
+            refuse
+            (
+                "coupling",
+                "is " + coupling_ + ", but a function object cannot act on"
+                " the fluid.\n"
+                "    Move  particles { type demCloud; }  from functions in"
+                " system/controlDict to\n    constant/fvOptions (in a solver"
+                " that has fvOptions, as pimpleFoam), or take\n"
+                "    coupling none or fluidToParticles"
+            );
+        }
+        refuse("interface", "needs the fvOption demCloud; take it out");
+    }
+
+    if (points)
+    {
+        const string why
+        (
+            "does not go with coupling fluidToParticles, in which bodies are"
+            " points to the fluid; take it out"
+        );
+        refuse("immersed", why);
+        refuse("interface", why);
+    }
+    else if (coupling_ != "none")
+    {
+        refuse
+        (
+            "forces",
+            "does not go with coupling " + coupling_ + ", in which the forces"
+            " follow from the flow around the bodies; take it out"
+        );
+        if (dem_->moves() && mesh_.nSolutionD() < 3)
+        {
+            FatalIOErrorInFunction(dict_)
+                << "The mesh has empty patches, so a sphere would be a"
+                << " cylinder for the fluid but have the mass of a sphere."
+                << nl
+                << "    In two dimensions only bodies that stay where they are"
+                << " (demSolver fixed) or that the fluid does not feel" << nl
+                << "    (coupling none, fluidToParticles) are possible."
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
+void Foam::demCloud::readCoupling(const fluidAccess access)
+{
+    checkCoupling(access);
+
+    if (coupling_ == "fluidToParticles")
+    {
+        points_.reset
+        (
+            new coupling::pointForces
+            (
+                mesh_,
+                bins_,
+                *dem_,
+                dict_.subDict("fluid"),
+                dict_.subDict("forces")
+            )
+        );
+
+        // From here on the solver keeps the old time level
+        U().oldTime();
+    }
+    else if (coupling_ != "none")
+    {
+        const dictionary& fluidDict = dict_.subDict("fluid");
+        dem::checkKeys(fluidDict, {"rho"});
+        rho_.reset(new coupling::fluidDensity(mesh_.thisDb(), fluidDict));
+
+        immersed_.reset
+        (
+            new coupling::implicitForcing
+            (
+                mesh_,
+                bins_,
+                *dem_,
+                *rho_,
+                dict_.subDict("immersed")
+            )
+        );
+    }
+
+    if (access != fluidAccess::none && dict_.found("couplingInterval"))
+    {
+        interval_.reset
+        (
+            new coupling::couplingInterval
+            (
+                mesh_,
+                bins_,
+                dict_.subDict("couplingInterval")
+            )
+        );
+    }
+}
+
+
+// ************************************************************************* //
