@@ -62,17 +62,6 @@ void Foam::demCloud::checkCoupling(const fluidAccess access) const
             "does not go with coupling " + coupling_ + ", in which the forces"
             " follow from the flow around the bodies; take it out"
         );
-        if (dem_->moves() && mesh_.nSolutionD() < 3)
-        {
-            FatalIOErrorInFunction(dict_)
-                << "The mesh has empty patches, so a sphere would be a"
-                << " cylinder for the fluid but have the mass of a sphere."
-                << nl
-                << "    In two dimensions only bodies that stay where they are"
-                << " (demSolver fixed) or that the fluid does not feel" << nl
-                << "    (coupling none, fluidToParticles) are possible."
-                << exit(FatalIOError);
-        }
     }
 }
 
