@@ -54,6 +54,7 @@ def ledger(log):
                 continue
             record = {
                 "bodies": int(re.search(r"(\d+) bodies", line).group(1)),
+                "contacts": int(re.search(r"(\d+) contacts", line).group(1)),
                 "fastest": float(
                     re.search(r"fastest (%s)" % number, line).group(1))}
             match = re.search(r"to bodies \(([^)]*)\)", line)

@@ -119,7 +119,7 @@ def restartAt(source, time, target):
 
 def runIn(case, *command, log=None):
     """Run a program in a case; stop the test if it fails."""
-    log = os.path.join(case, log or "log." + command[0])
+    log = os.path.join(case, log or "log." + os.path.basename(command[0]))
     with open(log, "w") as out:
         status = subprocess.call(command, stdout=out, stderr=out, cwd=case,
                                  env=dict(os.environ, PWD=os.path.abspath(case)))
