@@ -113,7 +113,8 @@ def killed(name, source, program, ranks, kills, seed):
         with open(runIn(case, "demRestart")) as log:
             text = log.read()
         aside += len(re.findall(r"is not whole: put aside", text))
-        last = re.findall(r"goe?s? on from time (\S+)", text)[-1]
+        found = re.findall(r"goe?s? on from time (\S+)", text)
+        last = found[-1] if found else "0"
         if float(last) > 0:
             a = readBodies(through, last, *fields)
             b = readBodies(case, last, *fields)

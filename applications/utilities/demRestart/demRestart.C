@@ -153,13 +153,12 @@ int main(int argc, char *argv[])
         ranks.empty() ? word::null : putAside(ranks, dryRun)
     );
 
+    // A run leaves the file in the time that it starts from before it writes
+    // any other
     if (inCase.empty() && onRanks.empty())
     {
-        FatalErrorInFunction
-            << "No time of " << path << " is whole: none has a file"
-            << " uniform/demCloudProperties, or none of them" << nl
-            << "    on all ranks. A run of Styx leaves one in the time that it"
-            << " starts from." << exit(FatalError);
+        Info<< "    no run has begun in " << path << ": all times stay"
+            << endl;
     }
     if (inCase.size())
     {
