@@ -15,7 +15,7 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::coupling::implicitForcing::findCells
+void Foam::coupling::implicitForcing::addCells
 (
     const label b,
     const vector& shift
@@ -40,6 +40,24 @@ void Foam::coupling::implicitForcing::findCells
                 cells.append(bodyCell{c, beta, Ub, r});
                 cells.last().rho = rho_[c];
             }
+        }
+    );
+}
+
+
+void Foam::coupling::implicitForcing::findCells(const label b)
+{
+    const dem::bodies& state = dem_.state();
+
+    cells_[b].clear();
+    addCells(b, Zero);
+    dem_.period().forEachImage
+    (
+        state.x[b],
+        state.shapeOf(b).boundingRadius(),
+        [&](const label image)
+        {
+            addCells(b, dem_.period().shift(image));
         }
     );
 }
@@ -242,17 +260,7 @@ void Foam::coupling::implicitForcing::project(const volVectorField& U)
     for (label b = 0; b < n; ++b)
     {
         imposed_[b] = imposedMotion{state.v[b], state.omega[b]};
-        cells_[b].clear();
-        findCells(b, Zero);
-        dem_.period().forEachImage
-        (
-            state.x[b],
-            state.shapeOf(b).boundingRadius(),
-            [&](const label image)
-            {
-                findCells(b, dem_.period().shift(image));
-            }
-        );
+        findCells(b);
         findLinks(b);
         for (const bodyCell& bc : cells_[b])
         {
