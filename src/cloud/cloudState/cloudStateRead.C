@@ -129,15 +129,57 @@ void readCarried
 }
 
 
+//- The image of the partner in each contact; the original without a seam
+List<labelField> readImages
+(
+    const savedBodies& saved,
+    const UList<vectorField>& slip,
+    const bool periodic
+)
+{
+    List<labelField> images(slip.size());
+    if (!periodic)
+    {
+        forAll(images, b)
+        {
+            images[b] =
+                labelField(slip[b].size(), label(dem::periodicity::original));
+        }
+        return images;
+    }
+
+    const word name("contactImage");
+    images = saved.lists<label>(name);
+    forAll(images, b)
+    {
+        bool good = images[b].size() == slip[b].size();
+        for (const label image : images[b])
+        {
+            good = good && image >= 0 && image < 27;
+        }
+        if (!good)
+        {
+            saved.bad(name)
+                << "Body " << saved.id[b] << " has the images " << images[b]
+                << " for " << slip[b].size() << " contacts: one each, from 0 to"
+                << " 26." << exit(FatalIOError);
+        }
+    }
+    return images;
+}
+
+
 List<dem::verletList::pairHistory> readPairs
 (
     const savedBodies& saved,
-    const dem::bodies& state
+    const dem::bodies& state,
+    const bool periodic
 )
 {
     const word name("contactSpheres");
     const List<labelField> spheres(saved.lists<label>(name));
     const List<vectorField> slip(saved.lists<vector>("contactSlip"));
+    const List<labelField> images(readImages(saved, slip, periodic));
 
     Map<label> indexOf(2*state.size());
     forAll(saved.id, b)
@@ -168,7 +210,10 @@ List<dem::verletList::pairHistory> readPairs
                     << number[1] << " is on the wrong one."
                     << exit(FatalIOError);
             }
-            pairs.append(dem::verletList::pairHistory{{i, j}, slip[b][k]});
+            pairs.append
+            (
+                dem::verletList::pairHistory{{i, j}, slip[b][k], images[b][k]}
+            );
         }
     }
     return List<dem::verletList::pairHistory>(std::move(pairs));
@@ -346,7 +391,7 @@ bool Foam::cloudState::read
     (
         dem::contactHistory
         {
-            readPairs(saved, dem.state()),
+            readPairs(saved, dem.state(), dem.period().active()),
             readWalls
             (
                 saved,

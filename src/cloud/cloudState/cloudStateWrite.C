@@ -58,9 +58,11 @@ void writePairs
 (
     lagrangianWriter& out,
     const dem::bodies& state,
-    const UList<dem::verletList::pairHistory>& pairs
+    const UList<dem::verletList::pairHistory>& pairs,
+    const bool periodic
 )
 {
+    List<DynamicList<label>> image(state.size());
     List<DynamicList<label>> spheres(state.size());
     List<DynamicList<vector>> slip(state.size());
     for (const dem::verletList::pairHistory& h : pairs)
@@ -71,9 +73,14 @@ void writePairs
         spheres[a].append(state.id[b]);
         spheres[a].append(h.pair.j - state.firstSphere[b]);
         slip[a].append(h.xi);
+        image[a].append(h.image);
     }
     out.writeLists("contactSpheres", spheres);
     out.writeLists("contactSlip", slip);
+    if (periodic)
+    {
+        out.writeLists("contactImage", image);
+    }
 }
 
 
@@ -135,7 +142,7 @@ Foam::autoPtr<Foam::IOdictionary> Foam::cloudState::write
     }
 
     const dem::contactHistory history(dem.history());
-    writePairs(out, state, history.pairs);
+    writePairs(out, state, history.pairs, dem.period().active());
     writeWalls(out, state, history.walls);
 
     autoPtr<IOdictionary> dict

@@ -74,6 +74,42 @@ void Foam::demCloud::removeLeaving()
 }
 
 
+void Foam::demCloud::followMesh(const scalar t0, const scalar t1)
+{
+    if (meshMoved_ && !meshChanged_)
+    {
+        dem_->updateWalls(true, t0, t1);
+        wallsMove_ = true;
+    }
+    else if (meshChanged_ || wallsMove_)
+    {
+        dem_->updateWalls(false, t0, t1);
+        wallsMove_ = false;
+    }
+    meshMoved_ = false;
+    meshChanged_ = false;
+}
+
+
+void Foam::demCloud::meshMoved()
+{
+    if (open_ && mesh_.time().timeIndex() == timeIndex_)
+    {
+        FatalErrorInFunction
+            << "The mesh moves a second time in a step, when the bodies have"
+            << " already moved with it." << nl
+            << "    Set moveMeshOuterCorrectors no; in the PIMPLE dictionary of"
+            << " system/fvSolution." << exit(FatalError);
+    }
+
+    ledger::entry e(ledger_, "cells sorted after a mesh change");
+    bins_.update();
+    patches_.checkMotion();
+    projected_ = false;
+    meshMoved_ = true;
+}
+
+
 void Foam::demCloud::checkFinite() const
 {
     const dem::bodies& state = dem_->state();
@@ -119,6 +155,7 @@ void Foam::demCloud::beginStep()
     {
         ledger::entry e(ledger_, "bodies (contacts, motion)");
 
+        followMesh(t0, t1);
         removeLeaving();
         const label n = dem_->state().size();
         dem_->enter(t0);
@@ -211,6 +248,7 @@ void Foam::demCloud::autoMap(const mapPolyMesh&)
     coupling::updateRankBoundaries(mesh_);
     bins_.update();
     projected_ = false;
+    meshChanged_ = true;
 }
 
 

@@ -15,10 +15,8 @@ License
 #include "dictionaryText.H"
 #include "dynamicRefineFvMesh.H"
 #include "fvcFlux.H"
-#include "ListListOps.H"
 #include "OSspecific.H"
 #include "uniformDimensionedFields.H"
-#include "wallPolyPatch.H"
 
 // * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
 
@@ -111,77 +109,39 @@ Foam::vector Foam::demCloud::readGravity() const
 }
 
 
-Foam::List<Foam::dem::corners> Foam::demCloud::patchTriangles
-(
-    const wordRes& names,
-    const dictionary& dict
-) const
+Foam::dem::demInput Foam::demCloud::solverInput()
 {
-    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
-    DynamicList<dem::corners> own;
-    DynamicList<word> taken;
-
-    for (const polyPatch& patch : patches)
-    {
-        const bool named = names.size() && names.match(patch.name());
-        if (named && !isA<wallPolyPatch>(patch))
+    dem::demInput input(dict_);
+    input.directory =
+        mesh_.time().rootPath()/mesh_.time().globalCaseName()
+       /mesh_.time().constant();
+    input.g = readGravity();
+    input.period = patches_.period();
+    input.patchTriangles =
+        [this](const wordRes& names, const dictionary& d, const bool old)
         {
-            FatalIOErrorInFunction(dict)
-                << "Patch " << patch.name() << " is of type " << patch.type()
-                << ", not wall." << nl
-                << "    Bodies touch wall patches only; an inlet or an outlet"
-                << " lets them out." << exit(FatalIOError);
-        }
-        if (!isA<wallPolyPatch>(patch) || (names.size() && !named))
+            return patches_.triangles(patches_.walls(names, d), old);
+        };
+    input.mirrors = patches_.mirrors();
+    input.mirrorTriangles =
+        [this](const word& name, const bool old)
         {
-            continue;
-        }
-
-        taken.append(patch.name());
-        for (const face& f : patch)
+            const label p = mesh_.boundaryMesh().findPatchID(name);
+            return patches_.triangles(labelList(1, p), old);
+        };
+    input.restart = cloudState::found(mesh_);
+    input.checkShape =
+        [this](const dem::shape& s)
         {
-            for (label k = 2; k < f.size(); ++k)
-            {
-                dem::corners t;
-                t[0] = mesh_.points()[f[0]];
-                t[1] = mesh_.points()[f[k - 1]];
-                t[2] = mesh_.points()[f[k]];
-                own.append(t);
-            }
-        }
-    }
-
-    if (taken.empty())
-    {
-        wordList walls;
-        for (const polyPatch& patch : patches)
+            checkSize(s);
+        };
+    input.save =
+        [this]()
         {
-            if (isA<wallPolyPatch>(patch))
-            {
-                walls.append(patch.name());
-            }
-        }
-        FatalIOErrorInFunction(dict)
-            << "No patch of type wall is taken." << nl
-            << "    Wall patches of the mesh: " << walls << nl
-            << "    Patches of the mesh: " << patches.names()
-            << exit(FatalIOError);
-    }
-
-    List<List<dem::corners>> all(Pstream::nProcs());
-    all[Pstream::myProcNo()] = own;
-    Pstream::gatherList(all);
-    Pstream::scatterList(all);
-
-    List<dem::corners> triangles =
-        ListListOps::combine<List<dem::corners>>
-        (
-            all,
-            accessOp<List<dem::corners>>()
-        );
-    Info<< "    wall " << dict.dictName() << ": " << triangles.size()
-        << " triangles of patches " << wordList(taken) << endl;
-    return triangles;
+            const_cast<Time&>(mesh_.time()).writeNow();
+            finishWriting();
+        };
+    return input;
 }
 
 
@@ -272,11 +232,16 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const bool fluid)
     mesh_(mesh),
     dict_(propertiesFile(mesh)),
     coupling_("none"),
+    patches_(mesh),
     bins_(mesh),
     timeIndex_(-1),
     projected_(false),
     open_(false),
-    advancing_(false)
+    advancing_(false),
+    meshMoved_(false),
+    meshChanged_(false),
+    wallsMove_(false),
+    watch_(mesh, [this]() { meshMoved(); })
 {
     Info<< "demCloud: reading " << dict_.objectPath() << endl;
 
@@ -292,40 +257,9 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const bool fluid)
         coupling_ = "none";
     }
 
-    dem::demInput input(dict_);
-    input.directory =
-        mesh.time().rootPath()/mesh.time().globalCaseName()
-       /mesh.time().constant();
-    input.g = readGravity();
-    input.patchTriangles =
-        [this](const wordRes& names, const dictionary& d)
-        {
-            return patchTriangles(names, d);
-        };
-    input.restart = cloudState::found(mesh);
-    input.checkShape =
-        [this](const dem::shape& s)
-        {
-            checkSize(s);
-        };
-    input.save =
-        [this]()
-        {
-            const_cast<Time&>(mesh_.time()).writeNow();
-            finishWriting();
-        };
-
+    const dem::demInput input(solverInput());
     dem_ = dem::demSolver::New(input);
-
-    if (coupling_ != "none" && dem_->moves() && mesh.nSolutionD() < 3)
-    {
-        FatalIOErrorInFunction(dict_)
-            << "The mesh has empty patches, so a sphere would be a cylinder"
-            << " for the fluid but have the mass of a sphere." << nl
-            << "    In two dimensions only bodies that stay where they are"
-            << " (demSolver fixed) or do not touch the fluid (coupling none)"
-            << " are possible." << exit(FatalIOError);
-    }
+    patches_.check(*dem_, coupling_ != "none");
 
     if (coupling_ != "none")
     {

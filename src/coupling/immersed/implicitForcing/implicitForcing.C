@@ -15,26 +15,29 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::coupling::implicitForcing::findCells(const label b)
+void Foam::coupling::implicitForcing::findCells
+(
+    const label b,
+    const vector& shift
+)
 {
     const dem::bodies& state = dem_.state();
-    const bodyGeometry body(state, b, solved_);
+    const bodyGeometry body(state, b, solved_, shift);
+    const point centre = state.x[b] + shift;
     DynamicList<bodyCell>& cells = cells_[b];
-    cells.clear();
 
     bins_.forEach
     (
-        state.x[b],
+        centre,
         state.shapeOf(b).boundingRadius(),
         [&](const label c)
         {
             const scalar beta = fraction_(body, c, bins_.radius(c));
             if (beta > 0)
             {
-                cells.append
-                (
-                    bodyCell{c, beta, state.velocityAt(b, mesh_.C()[c])}
-                );
+                const vector r = mesh_.C()[c] - centre;
+                const vector Ub = state.v[b] + (state.omega[b] ^ r);
+                cells.append(bodyCell{c, beta, Ub, r});
                 cells.last().rho = rho_[c];
             }
         }
@@ -113,9 +116,11 @@ void Foam::coupling::implicitForcing::findLinks(const label b)
             continue;
         }
 
+        // Where the cell is as seen from the body itself, not from an image
         const point& centre = mesh_.C()[bc.cell];
-        const scalar phi = body.distance(centre);
-        const vector r = body.fromNearestCentre(centre);
+        const point p = dem_.state().x[b] + bc.r;
+        const scalar phi = body.distance(p);
+        const vector r = body.fromNearestCentre(p);
         const vector n = r/max(mag(r), VSMALL);
         scalar weights = 0;
         bc.n = n;
@@ -130,7 +135,7 @@ void Foam::coupling::implicitForcing::findLinks(const label b)
 
             const vector d = body.inPlane(other - centre);
             const scalar cosine = (d & n)/max(mag(d), VSMALL);
-            const scalar phif = body.distance(other);
+            const scalar phif = body.distance(p + (other - centre));
             if (cosine > 0.1 && phif > 0.1*mag(d))
             {
                 const scalar slope =
@@ -237,7 +242,17 @@ void Foam::coupling::implicitForcing::project(const volVectorField& U)
     for (label b = 0; b < n; ++b)
     {
         imposed_[b] = imposedMotion{state.v[b], state.omega[b]};
-        findCells(b);
+        cells_[b].clear();
+        findCells(b, Zero);
+        dem_.period().forEachImage
+        (
+            state.x[b],
+            state.shapeOf(b).boundingRadius(),
+            [&](const label image)
+            {
+                findCells(b, dem_.period().shift(image));
+            }
+        );
         findLinks(b);
         for (const bodyCell& bc : cells_[b])
         {
@@ -287,9 +302,8 @@ void Foam::coupling::implicitForcing::setCut
 
     // The mixture: tight across the surface, free along it
     const imposedMotion& old = imposed0_[dem_.state().id[b]];
-    const vector r = mesh_.C()[bc.cell] - dem_.state().x[b];
     const vector along =
-        U.oldTime()[bc.cell] + bc.Ub - old.v - (old.omega ^ r);
+        U.oldTime()[bc.cell] + bc.Ub - old.v - (old.omega ^ bc.r);
     const vector mixture = along + ((bc.Ub - along) & bc.n)*bc.n;
     const scalar Ki = ratio/dt;
 
@@ -352,7 +366,7 @@ void Foam::coupling::implicitForcing::sumForces(const volVectorField& U)
             const vector f =
                 (bc.rho*bc.K*mesh_.V()[bc.cell])*(U[bc.cell] - bc.target);
             F += f;
-            T += (mesh_.C()[bc.cell] - state.x[b]) ^ f;
+            T += bc.r ^ f;
         }
         force_[b] = F;
         torque_[b] = T;

@@ -45,6 +45,7 @@ Foam::PtrList<Foam::dem::shape> Foam::dem::demSolver::readShapes
         {
             input.checkShape(shapes.last());
         }
+        checkPeriod(shapes.last(), input);
     }
     if (shapes.empty())
     {
@@ -54,6 +55,59 @@ Foam::PtrList<Foam::dem::shape> Foam::dem::demSolver::readShapes
             << exit(FatalIOError);
     }
     return shapes;
+}
+
+
+void Foam::dem::demSolver::checkPeriod
+(
+    const shape& s,
+    const demInput& input
+)
+{
+    const scalar size = 2*s.boundingRadius();
+    if (size >= input.period.width())
+    {
+        FatalIOErrorInFunction(input.dict.subDict("shapes").subDict(s.name()))
+            << "The shape " << s.name() << " measures up to " << size
+            << " m, but the domain repeats itself after "
+            << input.period.width() << " m." << nl
+            << "    A body that meets its own image is not possible: it must be"
+            << " smaller than the distance of cyclic patches."
+            << exit(FatalIOError);
+    }
+}
+
+
+Foam::List<Foam::labelVector> Foam::dem::demSolver::takeIn(const scalar slack)
+{
+    const periodicity& period = input_.period;
+    List<labelVector> turns;
+    if (!period.active())
+    {
+        return turns;
+    }
+
+    bool any = false;
+    forAll(state_.x, b)
+    {
+        any = any || period.turns(state_.x[b], slack) != labelVector::zero;
+    }
+    if (!any)
+    {
+        return turns;
+    }
+
+    turns.setSize(state_.size(), labelVector::zero);
+    forAll(state_.x, b)
+    {
+        turns[b] = period.turns(state_.x[b], 0);
+        if (turns[b] != labelVector::zero)
+        {
+            state_.x[b] += period.shift(turns[b]);
+            state_.updateSpheres(b);
+        }
+    }
+    return turns;
 }
 
 
@@ -110,6 +164,7 @@ void Foam::dem::demSolver::readBodies()
         }
         state_.append(n);
     }
+    takeIn(0);
 }
 
 

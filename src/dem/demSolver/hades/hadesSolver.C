@@ -53,9 +53,20 @@ void Foam::dem::hadesSolver::undo()
 }
 
 
-void Foam::dem::hadesSolver::computeForces(const scalar dt)
+void Foam::dem::hadesSolver::crossSeams(const scalar slack)
 {
-    if (list_.outdated(state_))
+    const List<labelVector> turns(takeIn(slack));
+    if (turns.size())
+    {
+        list_.turn(state_, turns);
+    }
+}
+
+
+void Foam::dem::hadesSolver::computeForces(const scalar t, const scalar dt)
+{
+    walls_.moveTo(t);
+    if (list_.outdated(state_) || walls_.outdated(0.5*list_.skin()))
     {
         list_.build(state_);
         walls_.build(state_, list_.skin());
@@ -82,12 +93,12 @@ bool Foam::dem::hadesSolver::tryStep(const scalar t, const scalar dt)
         state_,
         t,
         dt,
-        [&](const scalar, const scalar dtForce)
+        [&](const scalar time, const scalar dtForce)
         {
             ok = ok && control_->acceptMove(state_, old_.x, dt);
             if (ok)
             {
-                computeForces(dtForce);
+                computeForces(time, dtForce);
                 ok = control_->acceptContacts(summary_, dt);
             }
         }
@@ -164,7 +175,10 @@ Foam::dem::hadesSolver::hadesSolver(const demInput& input)
     integrator_(integrator::New(input.dict)),
     control_(stepControl::New(input.dict.subDict("stepControl")))
 {
+    list_.setPeriodicity(input_.period);
+    walls_.setPeriodicity(input_.period);
     readWalls();
+    readMirrors();
     readGenerators();
     if (!input.restart)
     {
@@ -220,13 +234,16 @@ void Foam::dem::hadesSolver::advance(const scalar t0, const scalar t1)
     // The forces that are held have changed, perhaps the velocities too
     state_.vHalf = state_.v;
     state_.omegaHalf = state_.omega;
-    computeForces(0);
+    computeForces(t0, 0);
     list_.accept();
     walls_.accept();
 
     scalar t = t0;
     while (t < t1)
     {
+        // A list reaches half of the skin: no sooner is it made again
+        crossSeams(0.5*list_.skin());
+
         stepChoice step;
         const scalar dt = nextStep(t, t1, step);
 
@@ -245,6 +262,7 @@ void Foam::dem::hadesSolver::advance(const scalar t0, const scalar t1)
         report_.overlap = max(report_.overlap, summary_.overlap);
     }
 
+    crossSeams(0);
     checkFinite(t1);
     report_.nContacts = summary_.nPairs + summary_.nWalls;
 }

@@ -9,75 +9,10 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "hadesSolver.H"
-#include "planeWall.H"
 #include "allowedKeys.H"
 #include "checkedEntry.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::dem::hadesSolver::readWalls()
-{
-    if (!input_.dict.found("walls"))
-    {
-        return;
-    }
-
-    const dictionary& dict = input_.dict.subDict("walls");
-    for (const word& name : dict.toc())
-    {
-        const dictionary& d = dict.subDict(name);
-        const word type = getChoice(d, "type", {"patch", "plane"});
-        const label materialI = materials_.find(d, "material");
-
-        if (type == "plane")
-        {
-            checkKeys(d, {"type", "material", "point", "normal"});
-            const vector normal = getFiniteVector(d, "normal");
-            if (mag(normal) < SMALL)
-            {
-                badEntry(d, "normal", "it has no length");
-            }
-            walls_.append
-            (
-                autoPtr<wall>
-                (
-                    new planeWall
-                    (
-                        name,
-                        materialI,
-                        getFiniteVector(d, "point"),
-                        normal
-                    )
-                )
-            );
-        }
-        else
-        {
-            checkKeys(d, {"type", "material", "patches"});
-            if (!input_.patchTriangles)
-            {
-                badEntry(d, "type", "there is no mesh whose patches to take");
-            }
-            walls_.append
-            (
-                autoPtr<wall>
-                (
-                    new triangleWall
-                    (
-                        name,
-                        materialI,
-                        input_.patchTriangles
-                        (
-                            d.getOrDefault<wordRes>("patches", wordRes()),
-                            d
-                        )
-                    )
-                )
-            );
-        }
-    }
-}
-
 
 void Foam::dem::hadesSolver::readGenerators()
 {
@@ -104,7 +39,7 @@ void Foam::dem::hadesSolver::checkOverlaps()
         return;
     }
 
-    computeForces(0);
+    computeForces(0, 0);
     report_.overlap = summary_.overlap;
 
     if (summary_.overlap > 1e-3)
@@ -124,29 +59,38 @@ bool Foam::dem::hadesSolver::hasRoom(const newBody& body) const
     bodies trial(shapes_);
     trial.append(body);
 
-    // No sphere of the body may touch one that is there
-    forAll(trial.sphereX, i)
+    // No sphere of the body may touch one that is there, or an image of it
+    const auto touches = [this](const point& x, const scalar r)
     {
         forAll(state_.sphereX, j)
         {
-            const scalar reach = trial.sphereR[i] + state_.sphereR[j];
-            if (magSqr(trial.sphereX[i] - state_.sphereX[j]) < sqr(reach))
+            if (magSqr(x - state_.sphereX[j]) < sqr(r + state_.sphereR[j]))
             {
-                return false;
+                return true;
             }
         }
+        return false;
+    };
+
+    const periodicity& period = input_.period;
+    forAll(trial.sphereX, i)
+    {
+        const point& x = trial.sphereX[i];
+        const scalar r = trial.sphereR[i];
+        bool full = touches(x, r);
+        period.forEachImage
+        (
+            x,
+            GREAT,
+            [&](const label image)
+            {
+                full = full || touches(x + period.shift(image), r);
+            }
+        );
 
         DynamicList<label> elements;
-        forAll(walls_.walls(), w)
-        {
-            walls_.walls()[w].candidates
-            (
-                trial.sphereX[i],
-                trial.sphereR[i],
-                elements
-            );
-        }
-        if (elements.size())
+        walls_.touching(x, r, elements);
+        if (full || elements.size())
         {
             return false;
         }

@@ -14,29 +14,30 @@ License
 #include "checkedEntry.H"
 
 #include <algorithm>
+#include <tuple>
 #include <unordered_map>
 
-// * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-namespace
+uint64_t Foam::dem::verletList::keyOf(const label p) const
 {
-
-uint64_t keyOf(const Foam::label i, const Foam::label j)
-{
-    return (uint64_t(Foam::min(i, j)) << 32) | uint32_t(Foam::max(i, j));
+    return
+        ((uint64_t(pairs_[p].i)*27 + imageOf(p)) << 31) | uint32_t(pairs_[p].j);
 }
 
-} // End anonymous namespace
-
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::dem::verletList::search(const bodies& state)
 {
     pairs_.clear();
+    image_.clear();
 
     if (state.nSpheres() < 2)
     {
+        return;
+    }
+    if (periodic())
+    {
+        searchImages(state);
         return;
     }
 
@@ -64,6 +65,85 @@ void Foam::dem::verletList::search(const bodies& state)
             return a.i < b.i || (a.i == b.i && a.j < b.j);
         }
     );
+}
+
+
+void Foam::dem::verletList::searchImages(const bodies& state)
+{
+    const UList<label>& body = state.sphereBody;
+    const label n = state.nSpheres();
+
+    // The spheres, and behind them the images of those near a seam
+    DynamicList<point> x(state.sphereX);
+    DynamicList<scalar> r(state.sphereR);
+    DynamicList<label> source(identity(n));
+    DynamicList<label> image(labelList(n, label(periodicity::original)));
+
+    scalar overhang = 0;
+    for (label s = 0; s < n; ++s)
+    {
+        overhang = max(overhang, period_.overhang(x[s], r[s]));
+    }
+    for (label s = 0; s < n; ++s)
+    {
+        period_.forEachImage
+        (
+            state.sphereX[s],
+            state.sphereR[s] + skin_ + overhang,
+            [&](const label m)
+            {
+                x.append(state.sphereX[s] + period_.shift(m));
+                r.append(state.sphereR[s]);
+                source.append(s);
+                image.append(m);
+            }
+        );
+    }
+
+    struct imagePair
+    {
+        spherePair pair;
+        label image;
+    };
+    DynamicList<imagePair> found;
+
+    sizeLevels(x, r, skin_).forEachPair
+    (
+        [&](label i, label j)
+        {
+            // A pair through a seam is found twice, from either side: it is
+            // taken where the lower sphere is the original
+            if (source[i] > source[j])
+            {
+                Swap(i, j);
+            }
+            if
+            (
+                image[i] == periodicity::original
+             && body[source[i]] != body[source[j]]
+            )
+            {
+                found.append(imagePair{{source[i], source[j]}, image[j]});
+            }
+        }
+    );
+
+    std::sort
+    (
+        found.begin(),
+        found.end(),
+        [](const imagePair& a, const imagePair& b)
+        {
+            return
+                std::tie(a.pair.i, a.pair.j, a.image)
+              < std::tie(b.pair.i, b.pair.j, b.image);
+        }
+    );
+    for (const imagePair& p : found)
+    {
+        pairs_.append(p.pair);
+        image_.append(p.image);
+    }
 }
 
 
@@ -115,7 +195,7 @@ void Foam::dem::verletList::build(const bodies& state)
     {
         if (touching_[p])
         {
-            history.emplace(keyOf(pairs_[p].i, pairs_[p].j), xi_[p]);
+            history.emplace(keyOf(p), xi_[p]);
         }
     }
 
@@ -135,7 +215,7 @@ void Foam::dem::verletList::build(const bodies& state)
     {
         forAll(pairs_, p)
         {
-            const auto old = history.find(keyOf(pairs_[p].i, pairs_[p].j));
+            const auto old = history.find(keyOf(p));
             if (old != history.end())
             {
                 xi_[p] = old->second;
@@ -161,15 +241,46 @@ void Foam::dem::verletList::renumber(const labelUList& newIndex)
 
         if (touching_[p] && i >= 0 && j >= 0)
         {
-            pairs_[n] = spherePair{min(i, j), max(i, j)};
+            if (periodic())
+            {
+                image_[n] = image_[p];
+            }
+            pairs_[n] = spherePair{i, j};
             xi_[n] = xi_[p];
             touching_[n] = true;
             ++n;
         }
     }
     pairs_.setSize(n);
+    image_.setSize(min(n, image_.size()));
     xi_.setSize(n);
     touching_.setSize(n);
+    built_.clear();
+}
+
+
+void Foam::dem::verletList::turn
+(
+    const bodies& state,
+    const UList<labelVector>& turns
+)
+{
+    forAll(pairs_, p)
+    {
+        if (!touching_[p])
+        {
+            continue;
+        }
+
+        // What touches is nearer than a period, so the image is one of the 27
+        image_[p] = periodicity::moved
+        (
+            image_[p],
+            turns[state.sphereBody[pairs_[p].i]]
+          - turns[state.sphereBody[pairs_[p].j]]
+        );
+        touching_[p] = image_[p] >= 0;
+    }
     built_.clear();
 }
 
@@ -182,7 +293,7 @@ Foam::dem::verletList::histories() const
     {
         if (touching_[p])
         {
-            found.append(pairHistory{pairs_[p], xi_[p]});
+            found.append(pairHistory{pairs_[p], xi_[p], imageOf(p)});
         }
     }
     return List<pairHistory>(std::move(found));
@@ -192,6 +303,7 @@ Foam::dem::verletList::histories() const
 void Foam::dem::verletList::setHistories(const UList<pairHistory>& touching)
 {
     pairs_.clear();
+    image_.clear();
     xi_.clear();
     touching_.clear();
     for (const pairHistory& h : touching)
@@ -199,6 +311,10 @@ void Foam::dem::verletList::setHistories(const UList<pairHistory>& touching)
         pairs_.append(h.pair);
         xi_.append(h.xi);
         touching_.append(true);
+        if (periodic())
+        {
+            image_.append(h.image);
+        }
     }
     built_.clear();
 }

@@ -63,7 +63,8 @@ Foam::dem::stepChoice Foam::dem::hadesStep::propose
         const shape& s = state.shapeOf(b);
         const scalar allowed = maxDisplacement_*s.minRadius();
         const scalar speed =
-            mag(state.v[b]) + mag(state.omega[b])*s.boundingRadius();
+            mag(state.v[b]) + mag(state.omega[b])*s.boundingRadius()
+          + contacts.wallSpeed;
         const scalar acceleration = mag(state.force[b])/state.mass[b];
         const scalar dt =
             2*allowed

@@ -9,6 +9,8 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "triangleWall.H"
+#include "ListOps.H"
+#include "UIndirectList.H"
 
 #include <algorithm>
 
@@ -40,20 +42,20 @@ void Foam::dem::triangleWall::grow
     const label last
 )
 {
-    node n;
-    n.first = first;
-    n.last = last;
-    n.low = triangles_[first][0];
-    n.high = n.low;
-    for (label t = first; t < last; ++t)
+    point low = triangles_[order_[first]][0];
+    point high = low;
+    for (label k = first; k < last; ++k)
     {
-        for (const point& p : triangles_[t])
+        for (const point& p : triangles_[order_[k]])
         {
-            n.low = min(n.low, p);
-            n.high = max(n.high, p);
+            low = min(low, p);
+            high = max(high, p);
         }
     }
 
+    node n;
+    n.first = first;
+    n.last = last;
     const label self = tree.size();
     tree.append(n);
 
@@ -63,7 +65,7 @@ void Foam::dem::triangleWall::grow
     }
 
     // Halve along the longest side of the box
-    const vector size = n.high - n.low;
+    const vector size = high - low;
     direction d = 0;
     for (direction k = 1; k < 3; ++k)
     {
@@ -73,22 +75,87 @@ void Foam::dem::triangleWall::grow
         }
     }
 
-    const label middle = (first + last)/2;
+    const auto middle = [this, d](const label t)
+    {
+        const corners& c = triangles_[t];
+        return c[0][d] + c[1][d] + c[2][d];
+    };
+    const label half = (first + last)/2;
     std::nth_element
     (
-        triangles_.begin() + first,
-        triangles_.begin() + middle,
-        triangles_.begin() + last,
-        [d](const corners& a, const corners& b)
+        order_.begin() + first,
+        order_.begin() + half,
+        order_.begin() + last,
+        [&middle](const label a, const label b)
         {
-            return a[0][d] + a[1][d] + a[2][d] < b[0][d] + b[1][d] + b[2][d];
+            return middle(a) < middle(b);
         }
     );
 
-    grow(tree, first, middle);
+    grow(tree, first, half);
     const label right = tree.size();
-    grow(tree, middle, last);
+    grow(tree, half, last);
     tree[self].right = right;
+}
+
+
+void Foam::dem::triangleWall::fitBoxes()
+{
+    // The children of a node stand behind it
+    for (label i = tree_.size() - 1; i >= 0; --i)
+    {
+        node& n = tree_[i];
+        if (n.right >= 0)
+        {
+            n.low = min(tree_[i + 1].low, tree_[n.right].low);
+            n.high = max(tree_[i + 1].high, tree_[n.right].high);
+            continue;
+        }
+
+        n.low = triangles_[n.first][0];
+        n.high = n.low;
+        const auto hold = [&n](const corners& t)
+        {
+            for (const point& p : t)
+            {
+                n.low = min(n.low, p);
+                n.high = max(n.high, p);
+            }
+        };
+        for (label t = n.first; t < n.last; ++t)
+        {
+            hold(triangles_[t]);
+            if (moving())
+            {
+                hold(end_[t]);
+            }
+        }
+    }
+}
+
+
+Foam::dem::corners Foam::dem::triangleWall::now(const label t) const
+{
+    corners c(triangles_[t]);
+    if (moving())
+    {
+        forAll(c, k)
+        {
+            c[k] += part_*(end_[t][k] - triangles_[t][k]);
+        }
+    }
+    return c;
+}
+
+
+Foam::dem::corners Foam::dem::triangleWall::velocities(const label t) const
+{
+    corners v;
+    forAll(v, k)
+    {
+        v[k] = (end_[t][k] - triangles_[t][k])/dt_;
+    }
+    return v;
 }
 
 
@@ -101,19 +168,67 @@ Foam::dem::triangleWall::triangleWall
     const List<corners>& triangles
 )
 :
-    wall(name, materialI),
-    triangles_(triangles)
+    wall(name, materialI)
 {
-    DynamicList<node> tree(triangles.size());
-    if (triangles.size())
-    {
-        grow(tree, 0, triangles_.size());
-    }
-    tree_ = tree;
+    set(triangles);
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dem::triangleWall::set(const List<corners>& triangles)
+{
+    triangles_ = triangles;
+    end_.clear();
+    t0_ = 0;
+    dt_ = 1;
+    part_ = 0;
+    speed_ = 0;
+
+    order_ = identity(triangles.size());
+    DynamicList<node> tree(triangles.size());
+    if (triangles.size())
+    {
+        grow(tree, 0, triangles.size());
+    }
+    tree_ = tree;
+
+    triangles_ = List<corners>(UIndirectList<corners>(triangles, order_));
+    fitBoxes();
+}
+
+
+void Foam::dem::triangleWall::setMotion
+(
+    const List<corners>& start,
+    const List<corners>& end,
+    const scalar t0,
+    const scalar t1
+)
+{
+    triangles_ = List<corners>(UIndirectList<corners>(start, order_));
+    end_ = List<corners>(UIndirectList<corners>(end, order_));
+    t0_ = t0;
+    dt_ = t1 - t0;
+    part_ = 0;
+
+    speed_ = 0;
+    forAll(end_, t)
+    {
+        for (const vector& v : velocities(t))
+        {
+            speed_ = max(speed_, mag(v));
+        }
+    }
+
+    // A patch of a moving mesh that rests is a wall like any other
+    if (!(speed_ > 0))
+    {
+        end_.clear();
+    }
+    fitBoxes();
+}
+
 
 Foam::point Foam::dem::triangleWall::nearestPoint
 (
@@ -194,7 +309,9 @@ void Foam::dem::triangleWall::candidates
         }
         for (label t = n.first; t < n.last; ++t)
         {
-            if (magSqr(c - nearestPoint(triangles_[t], c)) < sqr(reach))
+            const point p =
+                nearestPoint(moving() ? now(t) : triangles_[t], c);
+            if (magSqr(c - p) < sqr(reach))
             {
                 elements.append(t);
             }
@@ -211,7 +328,8 @@ Foam::scalar Foam::dem::triangleWall::nearest
     vector& n
 ) const
 {
-    p = nearestPoint(triangles_[element], c);
+    const corners& rest = triangles_[element];
+    p = nearestPoint(moving() ? now(element) : rest, c);
     const scalar d = mag(c - p);
 
     if (d > VSMALL)
@@ -221,11 +339,51 @@ Foam::scalar Foam::dem::triangleWall::nearest
     else
     {
         // The centre lies in the triangle: its own normal will do
-        const corners& t = triangles_[element];
+        const corners t = now(element);
         n = (t[1] - t[0]) ^ (t[2] - t[0]);
         n /= max(mag(n), VSMALL);
     }
     return d;
+}
+
+
+Foam::vector Foam::dem::triangleWall::velocity
+(
+    const label element,
+    const point& p
+) const
+{
+    if (!moving())
+    {
+        return Zero;
+    }
+
+    // Linear between the corners
+    const corners c = now(element);
+    const corners v = velocities(element);
+    const vector normal = (c[1] - c[0]) ^ (c[2] - c[0]);
+    const scalar area2 = max(magSqr(normal), VSMALL);
+    const scalar a = (((p - c[0]) ^ (c[2] - c[0])) & normal)/area2;
+    const scalar b = (((c[1] - c[0]) ^ (p - c[0])) & normal)/area2;
+    return v[0] + a*(v[1] - v[0]) + b*(v[2] - v[0]);
+}
+
+
+Foam::scalar Foam::dem::triangleWall::spin
+(
+    const label element,
+    const vector& n
+) const
+{
+    if (!moving())
+    {
+        return 0;
+    }
+
+    const corners c = now(element);
+    const corners v = velocities(element);
+    const vector edge = c[1] - c[0];
+    return (n & (edge ^ (v[1] - v[0])))/max(magSqr(edge), VSMALL);
 }
 
 

@@ -14,6 +14,32 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void Foam::dem::wallSet::findNear
+(
+    const label sphere,
+    const label image,
+    const point& centre,
+    const scalar reach
+)
+{
+    DynamicList<label> elements;
+    forAll(walls_, w)
+    {
+        // What does not end is there anyway
+        if (image != periodicity::original && !walls_[w].bounded())
+        {
+            continue;
+        }
+        elements.clear();
+        walls_[w].candidates(centre, reach, elements);
+        for (const label e : elements)
+        {
+            near_.append(neighbour{sphere, w, e, image});
+        }
+    }
+}
+
+
 void Foam::dem::wallSet::select
 (
     DynamicList<wallTouch>& found,
@@ -112,24 +138,51 @@ void Foam::dem::wallSet::bequeath
 void Foam::dem::wallSet::build(const bodies& state, const scalar skin)
 {
     near_.clear();
+    builtT_ = t_;
+    renewed_ = false;
 
-    DynamicList<label> elements;
     forAll(state.sphereX, s)
     {
-        forAll(walls_, w)
-        {
-            elements.clear();
-            walls_[w].candidates
-            (
-                state.sphereX[s],
-                state.sphereR[s] + skin,
-                elements
-            );
-            for (const label e : elements)
+        const point& c = state.sphereX[s];
+        const scalar reach = state.sphereR[s] + skin;
+
+        findNear(s, periodicity::original, c, reach);
+        period_.forEachImage
+        (
+            c,
+            reach,
+            [&](const label image)
             {
-                near_.append(neighbour{s, w, e});
+                findNear(s, image, c + period_.shift(image), reach);
             }
+        );
+    }
+}
+
+
+void Foam::dem::wallSet::touching
+(
+    const point& centre,
+    const scalar radius,
+    DynamicList<label>& elements
+) const
+{
+    for (const wall& w : walls_)
+    {
+        w.candidates(centre, radius, elements);
+        if (!w.bounded())
+        {
+            continue;
         }
+        period_.forEachImage
+        (
+            centre,
+            radius,
+            [&](const label image)
+            {
+                w.candidates(centre + period_.shift(image), radius, elements);
+            }
+        );
     }
 }
 
@@ -142,15 +195,18 @@ void Foam::dem::wallSet::findTouches(const bodies& state)
     forAll(near_, k)
     {
         const neighbour& n = near_[k];
+        const wall& w = walls_[n.wallI];
+        const bool isImage = n.image != periodicity::original;
+        const vector shift = isImage ? period_.shift(n.image) : vector(Zero);
 
         wallTouch t;
         t.sphere = n.sphere;
         t.wallI = n.wallI;
         t.xi = Zero;
         t.likeness = 0;
-        const scalar d = walls_[n.wallI].nearest
+        const scalar d = w.nearest
         (
-            state.sphereX[n.sphere],
+            state.sphereX[n.sphere] + shift,
             n.element,
             t.p,
             t.n
@@ -158,6 +214,12 @@ void Foam::dem::wallSet::findTouches(const bodies& state)
         t.overlap = state.sphereR[n.sphere] - d;
         if (t.overlap > 0)
         {
+            if (w.moving())
+            {
+                t.u = w.velocity(n.element, t.p);
+                t.spin = w.spin(n.element, t.n);
+            }
+            t.p -= shift;
             found.append(t);
         }
 
@@ -172,6 +234,30 @@ void Foam::dem::wallSet::findTouches(const bodies& state)
     }
 
     inherit();
+}
+
+
+void Foam::dem::wallSet::renew()
+{
+    renewed_ = true;
+    speed_ = 0;
+    for (const wall& w : walls_)
+    {
+        speed_ = max(speed_, w.speed());
+    }
+}
+
+
+void Foam::dem::wallSet::moveTo(const scalar t)
+{
+    t_ = t;
+    if (speed_ > 0)
+    {
+        for (wall& w : walls_)
+        {
+            w.moveTo(t);
+        }
+    }
 }
 
 
