@@ -54,6 +54,28 @@ def readField(file):
     return values.reshape(n, columns)
 
 
+def readLists(case, time, field):
+    """All numbers of a CompactIOField of labels, of all ranks of the case."""
+    numbers = []
+    for part in glob.glob("%s/processor[0-9]*" % case) or [case]:
+        file = "%s/%s/lagrangian/demCloud/%s" % (part, time, field)
+        if not os.path.exists(file):
+            continue
+        with open(file, "rb") as stream:
+            text = stream.read()
+        text = re.sub(rb"\A\s*//[^\n]*\n", b"", text[text.index(b"}") + 1:])
+
+        # Two binary lists: where each body's numbers start, and the numbers
+        for _ in range(2):
+            match = re.match(rb"\s*(\d+)\s*(\()?", text)
+            size = 4*int(match.group(1)) if match.group(2) else 0
+            values = np.frombuffer(text[match.end():match.end() + size],
+                                   np.int32)
+            text = text[match.end() + size + (1 if match.group(2) else 0):]
+        numbers += list(values)
+    return numbers
+
+
 def readBodies(case, time, *fields):
     """The fields of all bodies by id, from all ranks of the case."""
     parts = glob.glob("%s/processor[0-9]*" % case) or [case]

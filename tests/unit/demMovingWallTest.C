@@ -213,7 +213,15 @@ TEST(demMovingWall, risingFloor)
     EXPECT_LT(mag(v), 1e-9);
 
     const scalar rising = heightOver(steady(vector(0, 0, 0.1)), 300, v);
-    figureNear("risingFloor_velocity", v, 0.1, 1e-6, "m/s", "that of the floor");
+    figureNear
+    (
+        "risingFloor_velocity",
+        v,
+        0.1,
+        1e-6,
+        "m/s",
+        "that of the floor"
+    );
     figureNear
     (
         "risingFloor_overlap",
@@ -313,7 +321,7 @@ TEST(demMovingWall, stopsAgain)
     c.run(50, 1e-3);
     c->solver().updateWalls(false, c->time(), c->time());
     c->run(0.3);
-    
+
     // Less the overlap that carries the weight
     EXPECT_NEAR(c->state().x[0].z(), 0.005 + 0.005 - 8.5e-6, 1e-7);
     EXPECT_LT(mag(c->state().v[0]), 1e-9);

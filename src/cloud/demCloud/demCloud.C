@@ -220,7 +220,12 @@ void Foam::demCloud::correct(const volVectorField& U)
     if (interface_.valid())
     {
         ledger::entry e(ledger_, "refinement around the bodies");
-        interface_->mark(dem_->state(), 2*mesh_.time().deltaTValue());
+        interface_->mark
+        (
+            dem_->state(),
+            patches_.period(),
+            2*mesh_.time().deltaTValue()
+        );
     }
 }
 

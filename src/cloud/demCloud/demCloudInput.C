@@ -167,7 +167,12 @@ void Foam::demCloud::refineInitially(const bool restarted)
         return;
     }
 
-    interface_->mark(dem_->state(), 2*mesh_.time().deltaTValue());
+    interface_->mark
+        (
+            dem_->state(),
+            patches_.period(),
+            2*mesh_.time().deltaTValue()
+        );
 
     dynamicRefineFvMesh* mesh =
         dynamic_cast<dynamicRefineFvMesh*>(const_cast<fvMesh*>(&mesh_));
@@ -212,7 +217,12 @@ void Foam::demCloud::refineInitially(const bool restarted)
         {
             break;
         }
-        interface_->mark(dem_->state(), 2*mesh_.time().deltaTValue());
+        interface_->mark
+        (
+            dem_->state(),
+            patches_.period(),
+            2*mesh_.time().deltaTValue()
+        );
     }
     mesh->topoChanging(false);
 

@@ -110,6 +110,7 @@ Foam::coupling::refinementInterface::refinementInterface
 void Foam::coupling::refinementInterface::mark
 (
     const dem::bodies& state,
+    const dem::periodicity& period,
     const scalar ahead
 )
 {
@@ -125,19 +126,19 @@ void Foam::coupling::refinementInterface::mark
 
     forAll(state.x, b)
     {
-        const bodyGeometry body(state, b, solved);
         const dem::shape& s = state.shapeOf(b);
         const scalar motion =
             ahead
            *(mag(state.v[b]) + mag(state.omega[b])*s.boundingRadius());
         const scalar inner = layer_*s.equivalentDiameter() + motion;
         const scalar outer = 1.5*inner;
+        const scalar reach = s.boundingRadius() + outer;
 
-        bins_.forEach
-        (
-            state.x[b],
-            s.boundingRadius() + outer,
-            [&](const label c)
+        // A body, or an image of it beyond a seam
+        const auto markAround = [&](const vector& shift)
+        {
+            const bodyGeometry body(state, b, solved, shift);
+            const auto markCell = [&](const label c)
             {
                 const scalar distance = body.distance(mesh_.C()[c]);
                 const scalar radius = bins_.radius(c);
@@ -149,7 +150,16 @@ void Foam::coupling::refinementInterface::mark
                 {
                     value[c] = keep;
                 }
-            }
+            };
+            bins_.forEach(state.x[b] + shift, reach, markCell);
+        };
+
+        markAround(Zero);
+        period.forEachImage
+        (
+            state.x[b],
+            reach,
+            [&](const label image) { markAround(period.shift(image)); }
         );
     }
 
