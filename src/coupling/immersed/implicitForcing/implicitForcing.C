@@ -15,7 +15,22 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::coupling::implicitForcing::findCells
+void Foam::coupling::implicitForcing::findCells(const label b)
+{
+    const dem::periodicity& period = dem_.period();
+
+    cells_[b].clear();
+    addCells(b, Zero);
+    period.forEachImage
+    (
+        dem_.state().x[b],
+        dem_.state().shapeOf(b).boundingRadius(),
+        [&](const label image) { addCells(b, period.shift(image)); }
+    );
+}
+
+
+void Foam::coupling::implicitForcing::addCells
 (
     const label b,
     const vector& shift
@@ -242,17 +257,7 @@ void Foam::coupling::implicitForcing::project(const volVectorField& U)
     for (label b = 0; b < n; ++b)
     {
         imposed_[b] = imposedMotion{state.v[b], state.omega[b]};
-        cells_[b].clear();
-        findCells(b, Zero);
-        dem_.period().forEachImage
-        (
-            state.x[b],
-            state.shapeOf(b).boundingRadius(),
-            [&](const label image)
-            {
-                findCells(b, dem_.period().shift(image));
-            }
-        );
+        findCells(b);
         findLinks(b);
         for (const bodyCell& bc : cells_[b])
         {

@@ -95,7 +95,7 @@ void Foam::coupling::implicitForcing::findDisplaced()
         {
             const scalar m = bc.beta*bc.rho*mesh_.V()[bc.cell];
             mass[b] += m;
-            moment[b] += m*(mesh_.C()[bc.cell] - state.x[b]);
+            moment[b] += m*bc.r;
             if (bc.beta < 1)
             {
                 densest[b] = max(densest[b], bc.rho);
