@@ -197,7 +197,7 @@ void Foam::demCloud::beginStep()
 
 void Foam::demCloud::addForcing(fvMatrix<vector>& eqn, const word& density)
 {
-    if (rho_.valid())
+    if (immersed_.valid())
     {
         rho_->checkEquation(density);
     }

@@ -52,10 +52,7 @@ Foam::caseCheck::surroundings Foam::demCloud::surroundings() const
         return s;
     }
     s.points = points_.valid();
-    s.rho =
-        s.points
-      ? dict_.subDict("fluid").getOrDefault<scalar>("rho", 0)
-      : rho_->isField() ? 0 : rho_->uniform();
+    s.rho = rho_->isField() ? 0 : rho_->uniform();
 
     const IOdictionary transport(constantDict(mesh_, "transportProperties"));
     if (transport.found("nu"))

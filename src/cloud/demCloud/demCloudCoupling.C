@@ -70,6 +70,19 @@ void Foam::demCloud::readCoupling(const fluidAccess access)
 {
     checkCoupling(access);
 
+    if (coupling_ != "none")
+    {
+        const dictionary& fluid = dict_.subDict("fluid");
+        dem::checkKeys
+        (
+            fluid,
+            coupling_ == "fluidToParticles"
+          ? wordList({"rho", "nu"})
+          : wordList({"rho"})
+        );
+        rho_.reset(new coupling::fluidDensity(mesh_.thisDb(), fluid));
+    }
+
     if (coupling_ == "fluidToParticles")
     {
         points_.reset
@@ -79,6 +92,7 @@ void Foam::demCloud::readCoupling(const fluidAccess access)
                 mesh_,
                 bins_,
                 *dem_,
+                *rho_,
                 dict_.subDict("fluid"),
                 dict_.subDict("forces")
             )
@@ -89,10 +103,6 @@ void Foam::demCloud::readCoupling(const fluidAccess access)
     }
     else if (coupling_ != "none")
     {
-        const dictionary& fluidDict = dict_.subDict("fluid");
-        dem::checkKeys(fluidDict, {"rho"});
-        rho_.reset(new coupling::fluidDensity(mesh_.thisDb(), fluidDict));
-
         immersed_.reset
         (
             new coupling::implicitForcing

@@ -25,6 +25,7 @@ Foam::coupling::pointForces::pointForces
     const fvMesh& mesh,
     const cellBins& bins,
     dem::demSolver& dem,
+    const fluidDensity& rho,
     const dictionary& fluid,
     const dictionary& forces
 )
@@ -32,8 +33,8 @@ Foam::coupling::pointForces::pointForces
     mesh_(mesh),
     bins_(bins),
     dem_(dem),
-    rho_(mesh, fluid, "rho", "[kg/m3]"),
-    nu_(mesh, fluid, "nu", "[m2/s]"),
+    rho_(rho),
+    nu_(mesh, fluid),
     drag_(dragLaw::New(forces)),
     buoyancy_(forces.getOrDefault<Switch>("buoyancy", true)),
     interpolation_
@@ -48,7 +49,6 @@ Foam::coupling::pointForces::pointForces
         )
     )
 {
-    dem::checkKeys(fluid, {"rho", "nu"});
     dem::checkKeys(forces, {"drag", "buoyancy", "interpolation"});
 
     Info<< "    forces: drag "
@@ -87,13 +87,12 @@ void Foam::coupling::pointForces::sample(const volVectorField& U)
         // Decomposition of cells and point values are made by all ranks
         mesh_.tetBasePtIs();
         const auto at = Foam::interpolation<vector>::New(interpolation_, U);
-        const scalarField cellRho(rho_(cells));
         const scalarField cellNu(nu_(cells));
         forAll(mine, k)
         {
             const label b = mine[k];
             u[b] = at->interpolate(state.x[b], cells[k])/share[b];
-            rho[b] = cellRho[k]/share[b];
+            rho[b] = rho_[cells[k]]/share[b];
             nu[b] = cellNu[k]/share[b];
         }
     }

@@ -9,7 +9,7 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "fluidProperty.H"
+#include "fluidViscosity.H"
 #include "checkedEntry.H"
 #include "IOdictionary.H"
 #include "dimensionedScalar.H"
@@ -21,7 +21,7 @@ namespace
 {
 
 //- The entry in constant/transportProperties, or 0 if it is not there
-Foam::scalar transportEntry(const Foam::fvMesh& mesh, const Foam::word& name)
+Foam::scalar transportEntry(const Foam::fvMesh& mesh)
 {
     using namespace Foam;
 
@@ -41,8 +41,8 @@ Foam::scalar transportEntry(const Foam::fvMesh& mesh, const Foam::word& name)
 
     const IOdictionary dict(io);
     return
-        dict.found(name)
-      ? dimensionedScalar(name, dimless, dict).value()
+        dict.found("nu")
+      ? dimensionedScalar("nu", dimViscosity, dict).value()
       : 0;
 }
 
@@ -51,53 +51,44 @@ Foam::scalar transportEntry(const Foam::fvMesh& mesh, const Foam::word& name)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::coupling::fluidProperty::fluidProperty
+Foam::coupling::fluidViscosity::fluidViscosity
 (
     const fvMesh& mesh,
-    const dictionary& dict,
-    const word& name,
-    const string& unit
+    const dictionary& fluid
 )
 :
     mesh_(mesh),
-    name_(name),
     value_(0)
 {
-    string source("the field of that name");
-    if (dict.found(name))
+    if (fluid.found("nu"))
     {
-        value_ = dem::getPositive(dict, name);
-        source = "given";
+        value_ = dem::getPositive(fluid, "nu");
+        return;
     }
-    else if (!mesh.foundObject<volScalarField>(name))
+    if (mesh.foundObject<volScalarField>("nu"))
     {
-        value_ = transportEntry(mesh, name);
-        source = "of constant/transportProperties";
-    }
-
-    if (source != "the field of that name" && !(value_ > 0))
-    {
-        FatalIOErrorInFunction(dict)
-            << "The " << name << " of the fluid " << unit.c_str()
-            << " is not known: this solver has no field " << name
-            << ", and constant/transportProperties has no entry " << name
-            << " above 0." << nl
-            << "    Give it in the dictionary " << dict.dictName() << "."
-            << exit(FatalIOError);
+        Info<< "    viscosity of the fluid: the solver's field nu" << endl;
+        return;
     }
 
-    Info<< "    fluid: " << name << ' ';
-    if (value_ > 0)
+    value_ = transportEntry(mesh);
+    if (!(value_ > 0))
     {
-        Info<< value_ << ' ' << unit.c_str() << ", ";
+        FatalIOErrorInFunction(fluid)
+            << "The viscosity nu of the fluid [m2/s] is not known: the solver"
+            << " has no field nu," << nl
+            << "    and constant/transportProperties has no entry nu above 0."
+            << nl << "    Give nu in the dictionary " << fluid.dictName()
+            << "." << exit(FatalIOError);
     }
-    Info<< source.c_str() << endl;
+    Info<< "    viscosity of the fluid: " << value_
+        << " m2/s of constant/transportProperties" << endl;
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::scalarField Foam::coupling::fluidProperty::operator()
+Foam::scalarField Foam::coupling::fluidViscosity::operator()
 (
     const labelUList& cells
 ) const
@@ -108,7 +99,7 @@ Foam::scalarField Foam::coupling::fluidProperty::operator()
     }
     return scalarField
     (
-        mesh_.lookupObject<volScalarField>(name_).primitiveField(),
+        mesh_.lookupObject<volScalarField>("nu").primitiveField(),
         cells
     );
 }
