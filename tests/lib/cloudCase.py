@@ -16,6 +16,7 @@
 #         runParallel(case, 2, "demFoam")
 #------------------------------------------------------------------------------
 import glob
+import gzip
 import os
 import re
 import shutil
@@ -28,8 +29,9 @@ from cases import setEntry
 
 
 def readField(file):
-    """An IOField of a cloud, ASCII or binary: an array, a row a body."""
-    with open(file, "rb") as stream:
+    """An IOField of a cloud, ASCII or binary, packed or not: an array, a row a body."""
+    packed = not os.path.exists(file)
+    with gzip.open(file + ".gz") if packed else open(file, "rb") as stream:
         data = stream.read()
     header = data[:data.index(b"}")].decode()
     kind = re.search(r"class\s+(\w+);", header).group(1)
@@ -82,7 +84,7 @@ def readBodies(case, time, *fields):
     bodies = {}
     for part in parts:
         folder = "%s/%s/lagrangian/demCloud/" % (part, time)
-        if not os.path.exists(folder + "id"):
+        if not glob.glob(folder + "id*"):
             continue
         ids = readField(folder + "id")[:, 0].astype(int)
         values = {field: readField(folder + field) for field in fields}
