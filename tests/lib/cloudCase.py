@@ -29,7 +29,8 @@ from cases import setEntry
 
 
 def readField(file):
-    """An IOField of a cloud, ASCII or binary, packed or not: an array, a row a body."""
+    """An IOField of a cloud, ASCII, binary or packed: an array, a row a
+    body."""
     packed = not os.path.exists(file)
     with gzip.open(file + ".gz") if packed else open(file, "rb") as stream:
         data = stream.read()
