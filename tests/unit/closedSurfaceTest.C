@@ -246,6 +246,16 @@ TEST(closedSurface, refusesFiles)
     std::ofstream(dir/"torn.stl", std::ios::binary) << head;
     EXPECT_NE(fileRefusal(dir/"torn.stl").find("unreadable"), size_t(-1));
 
+    // Text that starts like one of its kind
+    OFstream(dir/"half.stl")() << "solid a" << nl << "facet normal 0 0 1" << nl;
+    EXPECT_NE(fileRefusal(dir/"half.stl").find("'outer loop'"), size_t(-1));
+
+    // A corner that is not there
+    OFstream(dir/"far.obj")()
+        << "v 0 0 0" << nl << "v 1 0 0" << nl << "v 0 1 0" << nl
+        << "f 1 2 9" << nl;
+    EXPECT_NE(fileRefusal(dir/"far.obj").find("corner number 8"), size_t(-1));
+
     EXPECT_NE(fileRefusal(dir/"some.xyz").find("cannot read"), size_t(-1));
 
     // What was written is read again, in other units

@@ -10,6 +10,8 @@ License
 
 #include "cloudState.H"
 #include "savedBodies.H"
+#include "savedFile.H"
+#include "dictionaryText.H"
 #include "IOdictionary.H"
 
 // * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
@@ -302,6 +304,27 @@ word lastWhole(const Time& time)
     return found;
 }
 
+
+//- Stop if the dictionary is not the one that was written
+void checkCounters(const dictionary& dict)
+{
+    if (!dict.found("checksum"))
+    {
+        return;
+    }
+    dictionary rest(dict);
+    rest.remove("checksum");
+    if (cloudState::textChecksum(rest) != dict.get<label>("checksum"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "The entries are not those that were written: their checksum"
+            << " differs." << nl
+            << "    Start from another time. If they were changed on purpose,"
+            << " take out the entry checksum."
+            << exit(FatalIOError);
+    }
+}
+
 } // End anonymous namespace
 
 
@@ -334,6 +357,11 @@ bool Foam::cloudState::found(const fvMesh& mesh)
         orOp<bool>()
     );
     IOobject io(counters(mesh, IOobject::MUST_READ));
+    const fileName text(io.globalFilePath(IOdictionary::typeName));
+    if (isFile(text, false))
+    {
+        dem::checkText(text);
+    }
     const bool counted = io.typeHeaderOk<IOdictionary>(true);
 
     if (counted)
@@ -386,6 +414,7 @@ bool Foam::cloudState::read
     }
 
     const savedBodies saved(mesh, dict);
+    checkCounters(dict);
     readBodies(saved, dict, dem);
     dem.setHistory
     (

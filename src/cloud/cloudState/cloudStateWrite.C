@@ -12,6 +12,7 @@ License
 #include "OFstream.H"
 #include "OSspecific.H"
 #include "PstreamReduceOps.H"
+#include "savedFile.H"
 
 // * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
 
@@ -159,6 +160,7 @@ Foam::autoPtr<Foam::IOdictionary> Foam::cloudState::write
     dict->add("walls", dem.walls());
     dem.writeCounters(*dict);
     dict->add("checksums", out.checksums());
+    dict->add("checksum", textChecksum(*dict));
     return dict;
 }
 

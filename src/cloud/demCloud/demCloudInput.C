@@ -46,7 +46,7 @@ Foam::IOobject propertiesFile(const Foam::fvMesh& mesh)
             << exit(FatalError);
     }
 
-    const fileName text(typeFilePath<IOdictionary>(io));
+    const fileName text(io.globalFilePath(IOdictionary::typeName));
     if (isFile(text, false))
     {
         dem::checkText(text);
@@ -68,7 +68,7 @@ void Foam::demCloud::checkInput() const
             "coupling", "demSolver", "fluid", "materials", "pairs", "shapes",
             "bodies", "generators", "contact", "walls", "integrator",
             "stepControl", "neighbours", "immersed", "forces", "interface",
-            "couplingInterval"
+            "couplingInterval", "output"
         }
     );
 }
@@ -235,6 +235,7 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const fluidAccess access)
     patches_(mesh),
     bins_(mesh),
     timeIndex_(-1),
+    vtp_(false),
     projected_(false),
     open_(false),
     advancing_(false),
@@ -255,6 +256,12 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const fluidAccess access)
     if (access == fluidAccess::none)
     {
         coupling_ = "none";
+    }
+    if (dict_.found("output"))
+    {
+        const dictionary& output = dict_.subDict("output");
+        dem::checkKeys(output, {"vtp"});
+        vtp_ = output.getOrDefault<bool>("vtp", false);
     }
 
     const dem::demInput input(solverInput());

@@ -10,13 +10,14 @@ License
 
 #include "demCloud.H"
 #include "cloudState.H"
+#include "vtpFile.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::demCloud::writeBodies() const
+template<class Writer>
+void Foam::demCloud::putBodies(Writer& out) const
 {
     const dem::bodies& state = dem_->state();
-    lagrangianWriter out(mesh_, bins_, "demCloud", state.x);
 
     out.write("id", state.id);
     out.write("velocity", state.v);
@@ -46,22 +47,13 @@ void Foam::demCloud::writeBodies() const
     out.write("diameter", diameter);
     out.write("force", force);
     out.write("torque", torque);
-
-    written_ = cloudState::write
-    (
-        mesh_,
-        out,
-        *dem_,
-        immersed_.valid() ? immersed_.get() : nullptr,
-        !advancing_
-    );
 }
 
 
-void Foam::demCloud::writeSpheres() const
+template<class Writer>
+void Foam::demCloud::putSpheres(Writer& out) const
 {
     const dem::bodies& state = dem_->state();
-    lagrangianWriter out(mesh_, bins_, "demCloudSpheres", state.sphereX);
 
     const label n = state.nSpheres();
     labelField body(n);
@@ -80,6 +72,63 @@ void Foam::demCloud::writeSpheres() const
 }
 
 
+void Foam::demCloud::writeBodies() const
+{
+    lagrangianWriter out(mesh_, bins_, "demCloud", dem_->state().x);
+    putBodies(out);
+    written_ = cloudState::write
+    (
+        mesh_,
+        out,
+        *dem_,
+        immersed_.valid() ? immersed_.get() : nullptr,
+        !advancing_
+    );
+}
+
+
+void Foam::demCloud::writeSpheres() const
+{
+    lagrangianWriter out
+    (
+        mesh_,
+        bins_,
+        "demCloudSpheres",
+        dem_->state().sphereX
+    );
+    putSpheres(out);
+}
+
+
+void Foam::demCloud::writeVtp() const
+{
+    // All ranks have all bodies
+    if (!vtp_ || !Pstream::master())
+    {
+        return;
+    }
+    const Time& time = mesh_.time();
+    const fileName directory
+    (
+        time.rootPath()/time.globalCaseName()/"postProcessing/demCloud"
+    );
+    const fileName folder(directory/time.timeName());
+
+    vtpFile bodies(dem_->state().x);
+    putBodies(bodies);
+    bodies.save(folder/"demCloud.vtp");
+
+    vtpFile spheres(dem_->state().sphereX);
+    putSpheres(spheres);
+    spheres.save(folder/"demCloudSpheres.vtp");
+
+    for (const word& name : {"demCloud", "demCloudSpheres"})
+    {
+        vtpFile::saveSeries(directory, name, time.value());
+    }
+}
+
+
 void Foam::demCloud::finishWriting()
 {
     if (written_.valid())
@@ -92,17 +141,12 @@ void Foam::demCloud::finishWriting()
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::demCloud::writeObject
-(
-    IOstream::streamFormat,
-    IOstream::versionNumber,
-    IOstream::compressionType,
-    const bool
-) const
+bool Foam::demCloud::writeObject(STYX_WRITE_OBJECT_PARAMETERS) const
 {
     cloudState::begin(mesh_);
     writeBodies();
     writeSpheres();
+    writeVtp();
     return true;
 }
 

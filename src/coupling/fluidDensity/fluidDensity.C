@@ -30,7 +30,7 @@ Foam::coupling::fluidDensity::fluidDensity
     }
     if (!first.isWord())
     {
-        value_ = dem::getPositive(fluid, "rho");
+        value_ = dem::getPositive(fluid, "rho", 1e-6, 1e9);
         return;
     }
 

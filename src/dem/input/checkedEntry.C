@@ -63,6 +63,10 @@ Foam::scalar Foam::dem::getFinite(const dictionary& dict, const word& key)
     {
         badEntry(dict, key, mustBe(value, "a finite number"));
     }
+    if (mag(value) > 1e30)
+    {
+        badEntry(dict, key, mustBe(value, "a number up to 1e30"));
+    }
     return value;
 }
 
@@ -86,9 +90,13 @@ Foam::vector Foam::dem::getFiniteVector
 {
     const vector value = dict.get<vector>(key);
 
-    if (!std::isfinite(mag(value)))
+    // Its square must be a number, too
+    for (direction d = 0; d < 3; ++d)
     {
-        badEntry(dict, key, mustBe(value, "finite"));
+        if (!(mag(value[d]) <= 1e12))
+        {
+            badEntry(dict, key, mustBe(value, "finite, components to 1e12"));
+        }
     }
     return value;
 }
@@ -102,6 +110,10 @@ Foam::scalar Foam::dem::getPositive(const dictionary& dict, const word& key)
     {
         badEntry(dict, key, mustBe(value, "greater than zero"));
     }
+    if (value < 1e-60)
+    {
+        badEntry(dict, key, mustBe(value, "1e-60 or greater"));
+    }
     return value;
 }
 
@@ -114,6 +126,19 @@ Foam::scalar Foam::dem::getPositive
 )
 {
     return dict.found(key) ? getPositive(dict, key) : deflt;
+}
+
+
+Foam::scalar Foam::dem::getPositive
+(
+    const dictionary& dict,
+    const word& key,
+    const scalar low,
+    const scalar high
+)
+{
+    getPositive(dict, key);
+    return getInRange(dict, key, low, high);
 }
 
 

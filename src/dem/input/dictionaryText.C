@@ -13,6 +13,9 @@ License
 #include "label.H"
 
 #include <cctype>
+#include <cfenv>
+#include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <map>
@@ -39,6 +42,7 @@ class reader
         char kind;
         label line;
         std::map<std::string, label> keys;
+        bool isHead;
     };
     std::vector<bracket> open_;
 
@@ -118,6 +122,34 @@ class reader
         nWords_ = 0;
     }
 
+    //- A number that overflows ends OpenFOAM's reader by a signal
+    void checkNumber(const std::string& text) const
+    {
+        if (!std::strchr("+-.0123456789", text[0]))
+        {
+            return;
+        }
+        std::fenv_t traps;
+        std::feholdexcept(&traps);
+        const double value = std::strtod(text.c_str(), nullptr);
+        std::fesetenv(&traps);
+        if (std::isinf(value))
+        {
+            stop("The number " + text + " is too large", line_);
+        }
+    }
+
+    //- OpenFOAM makes a number of this one without looking at its size
+    void checkVersion(const std::string& value) const
+    {
+        char* end;
+        const double version = std::strtod(value.c_str(), &end);
+        if (*end || !(version > 0 && version < 100))
+        {
+            stop("The version '" + value + "' of the head is none", line_);
+        }
+    }
+
     //- The statement has a keyword: is it new in this dictionary?
     void note()
     {
@@ -157,8 +189,13 @@ class reader
                 step();
             }
         }
+        checkNumber(text_.substr(start, i_ - start));
         if (nWords_++ || !inDictionary())
         {
+            if (nWords_ == 2 && key_ == "version" && open_.back().isHead)
+            {
+                checkVersion(text_.substr(start, i_ - start));
+            }
             return;
         }
 
@@ -209,7 +246,10 @@ class reader
             {
                 note();
             }
-            open_.push_back(bracket{c, line_, {}});
+            open_.push_back
+            (
+                bracket{c, line_, {}, open_.size() == 1 && key_ == "FoamFile"}
+            );
             if (c == '{')
             {
                 endStatement();
@@ -238,7 +278,7 @@ public:
         std::ostringstream os;
         os << is.rdbuf();
         text_ = os.str();
-        open_.push_back(bracket{'{', 1, {}});
+        open_.push_back(bracket{'{', 1, {}, false});
     }
 
     void operator()()

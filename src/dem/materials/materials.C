@@ -33,8 +33,11 @@ void Foam::dem::materials::readMaterials(const dictionary& dict)
         const dictionary& d = dict.subDict(name);
         checkKeys(d, {"density", "youngsModulus", "poissonsRatio"});
 
-        density_.append(d.found("density") ? getPositive(d, "density") : 0);
-        E_.append(getPositive(d, "youngsModulus"));
+        density_.append
+        (
+            d.found("density") ? getPositive(d, "density", 1e-6, 1e9) : 0
+        );
+        E_.append(getPositive(d, "youngsModulus", 1e-6, 1e30));
         nu_.append(getInRange(d, "poissonsRatio", 0, 0.5));
     }
 }

@@ -246,6 +246,10 @@ void Foam::dem::hadesSolver::advance(const scalar t0, const scalar t1)
 
         stepChoice step;
         const scalar dt = nextStep(t, t1, step);
+        if (report_.nSteps + report_.nRejected >= control_->maxSteps())
+        {
+            giveUp(t, t1 - t0, dt, step);
+        }
 
         if (!tryStep(t, dt))
         {

@@ -106,6 +106,28 @@ void Foam::dem::hadesSolver::giveUp(const scalar t, const stepChoice& step)
 }
 
 
+void Foam::dem::hadesSolver::giveUp
+(
+    const scalar t,
+    const scalar length,
+    const scalar dt,
+    const stepChoice& step
+)
+{
+    OStringStream why;
+    why << "    An advance by " << length << " s has taken the maxSteps of "
+        << control_->maxSteps() << "; they are at " << dt << " s now ("
+        << step.limit << ")." << nl;
+    if (step.body >= 0)
+    {
+        why << "    The reason is " << nameOf(step.body).c_str() << " at "
+            << state_.x[step.body] << " with velocity "
+            << state_.v[step.body] << " m/s." << nl;
+    }
+    stop(t, why.str());
+}
+
+
 void Foam::dem::hadesSolver::checkFinite(const scalar t)
 {
     forAll(state_.x, b)

@@ -51,12 +51,18 @@ void checkSpheres
     {
         const scalar r = spheres[i].second();
 
-        if (!(r > 0) || !std::isfinite(r) || !std::isfinite(
-            mag(spheres[i].first())))
+        // Smaller than a virus to larger than a star: no power overflows
+        const point& c = spheres[i].first();
+        if
+        (
+            !(r >= 1e-10 && r <= 1e12)
+         || !(mag(c.x()) <= 1e12 && mag(c.y()) <= 1e12 && mag(c.z()) <= 1e12)
+        )
         {
             OStringStream os;
             os  << "has in place " << i << " the sphere " << spheres[i]
-                << "; the centre must be finite, the radius greater than zero";
+                << "; the centre must be finite, the radius greater than zero"
+                << " (1e-10 to 1e12 m)";
             dem::badEntry(dict, "spheres", os.str());
         }
     }
@@ -144,7 +150,7 @@ void Foam::dem::shape::readMultisphere(const dictionary& dict)
 
 void Foam::dem::shape::readSphere(const dictionary& dict)
 {
-    const scalar d = getPositive(dict, "diameter");
+    const scalar d = getPositive(dict, "diameter", 2e-10, 1e12);
     set(List<sphereData>(1, sphereData(Zero, 0.5*d)), nullptr);
 }
 

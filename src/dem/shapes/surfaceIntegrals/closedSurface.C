@@ -10,46 +10,9 @@ License
 #include "closedSurface.H"
 #include "error.H"
 #include "OSspecific.H"
+#include "stlCheck.H"
 
 #include <cfenv>
-#include <cstdint>
-#include <cstring>
-#include <fstream>
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-using namespace Foam;
-
-// Is an STL file neither text nor as long as its number of triangles says?
-// The reader takes such a file for text and crashes
-bool isTornSTL(const fileName& file)
-{
-    if (file.ext() != "stl" && file.ext() != "stlb")
-    {
-        return false;
-    }
-
-    // Binary: 80 bytes, the number of triangles, 50 bytes for each
-    char head[84] = "";
-    std::ifstream is(file, std::ios::binary);
-    is.read(head, sizeof(head));
-    const std::streamsize length = is.gcount();
-
-    uint32_t n = 0;
-    std::memcpy(&n, head + 80, sizeof(n));
-
-    const bool isWhole =
-        length == sizeof(head)
-     && Foam::fileSize(file) >= off_t(sizeof(head)) + 50*off_t(n);
-
-    return !isWhole && std::memchr(head, 0, length);
-}
-
-} // End anonymous namespace
-
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -72,11 +35,16 @@ Foam::triSurface Foam::dem::closedSurface::read
             << "read" << exit(FatalError);
     }
 
-    if (isTornSTL(file))
+    // OpenFOAM's reader crashes on what is no STL file
+    if ((file.ext() == "stl" || file.ext() == "stlb") && isFile(file, false))
     {
-        FatalErrorInFunction
-            << "Surface " << file << " is unreadable: it is no text, and "
-            << "shorter than its number of triangles says" << exit(FatalError);
+        const string wrong(checkSTL(file));
+        if (!wrong.empty())
+        {
+            FatalErrorInFunction
+                << "Surface " << file << " is unreadable: " << wrong.c_str()
+                << exit(FatalError);
+        }
     }
 
     // A reader that meets NaN must not end in a floating-point trap: the
@@ -108,6 +76,22 @@ Foam::triSurface Foam::dem::closedSurface::read
         FatalErrorInFunction
             << "Surface " << file << " is unreadable: " << complaint.c_str()
             << exit(FatalError);
+    }
+
+    // Nor do all readers look whether the corners of a triangle are there
+    for (const labelledTri& f : surface)
+    {
+        for (const label corner : f)
+        {
+            if (corner < 0 || corner >= surface.points().size())
+            {
+                FatalErrorInFunction
+                    << "Surface " << file << " is unreadable: a triangle has"
+                    << " corner number " << corner << ", but there are "
+                    << surface.points().size() << " points"
+                    << exit(FatalError);
+            }
+        }
     }
 
     return surface;

@@ -79,12 +79,20 @@ void Foam::dem::closedSurface::checkTriangles() const
 
     for (const point& p : points)
     {
-        if (!std::isfinite(p.x() + p.y() + p.z()))
+        if
+        (
+           !(mag(p.x()) < 1e12 && mag(p.y()) < 1e12 && mag(p.z()) < 1e12)
+        )
         {
             bad.add(p);
         }
     }
-    refuse(bad.n, "has corners that are not finite (NaN)", bad.where);
+    refuse
+    (
+        bad.n,
+        "has corners that are not finite (NaN), or 1e12 m away",
+        bad.where
+    );
 
     for (const labelledTri& f : surface_)
     {

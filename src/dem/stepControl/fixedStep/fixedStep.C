@@ -29,11 +29,12 @@ namespace dem
 
 Foam::dem::fixedStep::fixedStep(const dictionary& dict)
 :
+    stepControl(dict),
     deltaT_(0),
     needed_(GREAT),
     body_(-1)
 {
-    checkKeys(dict, {"type", "deltaT"});
+    checkKeys(dict, {"type", "deltaT", "maxSteps"});
     deltaT_ = getPositive(dict, "deltaT");
 }
 

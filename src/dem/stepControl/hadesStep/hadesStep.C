@@ -28,13 +28,15 @@ namespace dem
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::dem::hadesStep::hadesStep(const dictionary& dict)
+:
+    stepControl(dict)
 {
     checkKeys
     (
         dict,
         {
             "type", "safety", "maxDisplacement", "contactSteps",
-            "maxDeltaT", "minDeltaT"
+            "maxDeltaT", "minDeltaT", "maxSteps"
         }
     );
     safety_ = getInRange(dict, "safety", 0.01, 0.99, 0.8);

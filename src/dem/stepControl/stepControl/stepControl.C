@@ -23,6 +23,14 @@ namespace dem
 }
 
 
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::dem::stepControl::stepControl(const dictionary& dict)
+:
+    maxSteps_(getLabel(dict, "maxSteps", 1, 10000000))
+{}
+
+
 // * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
 
 Foam::autoPtr<Foam::dem::stepControl> Foam::dem::stepControl::New

@@ -1,0 +1,242 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "vtpFile.H"
+#include "error.H"
+#include "instantList.H"
+#include "OSspecific.H"
+#include "ListOps.H"
+
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <zlib.h>
+
+// * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using Foam::label;
+
+template<class T>
+std::string bytesOf(const T* first, const size_t n)
+{
+    return std::string(reinterpret_cast<const char*>(first), n*sizeof(T));
+}
+
+
+//- The numbers that VTK puts before compressed blocks, and the blocks
+std::string compressed(const std::string& bytes)
+{
+    const size_t size = Foam::vtpFile::blockSize;
+    const size_t n = (bytes.size() + size - 1)/size;
+    std::vector<uint64_t> head{n, size, bytes.size() % size};
+    std::string blocks;
+
+    for (size_t b = 0; b < n; ++b)
+    {
+        const size_t length = std::min(size, bytes.size() - b*size);
+        uLongf room = compressBound(length);
+        std::string block(room, 0);
+        compress2
+        (
+            reinterpret_cast<Bytef*>(&block[0]),
+            &room,
+            reinterpret_cast<const Bytef*>(&bytes[b*size]),
+            length,
+            Z_DEFAULT_COMPRESSION
+        );
+        head.push_back(room);
+        blocks.append(block, 0, room);
+    }
+    return bytesOf(head.data(), head.size()) + blocks;
+}
+
+
+//- Write a file whole or not at all
+void saveText(const Foam::fileName& file, const std::string& text)
+{
+    const Foam::fileName part(file + ".part");
+    Foam::mkDir(file.path());
+    {
+        std::ofstream os(part, std::ios::binary);
+        os.write(text.data(), text.size());
+        os.close();
+        if (!os)
+        {
+            FatalErrorInFunction
+                << "Cannot write " << part << exit(Foam::FatalError);
+        }
+    }
+    Foam::mv(part, file);
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::vtpFile::array Foam::vtpFile::fromScalars
+(
+    const word& name,
+    const UList<scalar>& v
+)
+{
+    std::vector<double> all(v.begin(), v.end());
+    return array{name, "Float64", 1, bytesOf(all.data(), all.size())};
+}
+
+
+Foam::vtpFile::array Foam::vtpFile::fromVectors
+(
+    const word& name,
+    const UList<vector>& v
+)
+{
+    std::vector<double> all;
+    all.reserve(3*v.size());
+    for (const vector& x : v)
+    {
+        all.insert(all.end(), {x.x(), x.y(), x.z()});
+    }
+    return array{name, "Float64", 3, bytesOf(all.data(), all.size())};
+}
+
+
+Foam::vtpFile::array Foam::vtpFile::fromLabels
+(
+    const word& name,
+    const UList<label>& v
+)
+{
+    std::vector<int64_t> all(v.begin(), v.end());
+    return array{name, "Int64", 1, bytesOf(all.data(), all.size())};
+}
+
+
+void Foam::vtpFile::add(const array& a)
+{
+    // All three types have eight bytes
+    if (label(a.bytes.size()) != 8*a.nComponents*nPoints_)
+    {
+        FatalErrorInFunction
+            << a.name.c_str() << " has not one value for each of the "
+            << nPoints_ << " points" << exit(FatalError);
+    }
+    data_.push_back(a);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::vtpFile::vtpFile(const UList<point>& points)
+:
+    nPoints_(points.size()),
+    points_(fromVectors("Points", points))
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::vtpFile::save(const fileName& file) const
+{
+    std::string appended;
+    const auto entry = [&](const array& a)
+    {
+        const size_t offset = appended.size();
+        appended += compressed(a.bytes);
+        return
+            "<DataArray type=\"" + a.type + "\" Name=\"" + a.name
+          + "\" NumberOfComponents=\"" + std::to_string(a.nComponents)
+          + "\" format=\"appended\" offset=\"" + std::to_string(offset)
+          + "\"/>\n";
+    };
+    const std::string n(std::to_string(nPoints_));
+
+    std::string xml
+    (
+        "<?xml version=\"1.0\"?>\n"
+        "<VTKFile type=\"PolyData\" version=\"1.0\""
+        " byte_order=\"LittleEndian\" header_type=\"UInt64\""
+        " compressor=\"vtkZLibDataCompressor\">\n<PolyData>\n"
+        "<Piece NumberOfPoints=\"" + n + "\" NumberOfVerts=\"" + n
+      + "\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n"
+        "<PointData>\n"
+    );
+    for (const array& a : data_)
+    {
+        xml += entry(a);
+    }
+    xml += "</PointData>\n<Points>\n" + entry(points_);
+
+    // Each point is a vertex
+    labelList number(nPoints_), end(nPoints_);
+    forAll(number, i)
+    {
+        number[i] = i;
+        end[i] = i + 1;
+    }
+    xml += "</Points>\n<Verts>\n";
+    xml += entry(fromLabels("connectivity", number));
+    xml += entry(fromLabels("offsets", end));
+    xml += "</Verts>\n</Piece>\n</PolyData>\n";
+
+    saveText
+    (
+        file,
+        xml + "<AppendedData encoding=\"raw\">\n_" + appended
+      + "\n</AppendedData>\n</VTKFile>\n"
+    );
+}
+
+
+void Foam::vtpFile::saveSeries
+(
+    const fileName& directory,
+    const word& name,
+    const scalar upTo
+)
+{
+    instantList times;
+    for (const fileName& folder : readDir(directory, fileName::DIRECTORY))
+    {
+        scalar value;
+        if
+        (
+            readScalar(folder.c_str(), value) && value <= upTo*(1 + 1e-12)
+         && isFile(directory/folder/(name + ".vtp"), false)
+        )
+        {
+            times.append(instant(value, folder));
+        }
+    }
+    sort(times, instant::less());
+
+    std::string xml
+    (
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\""
+        " version=\"0.1\">\n<Collection>\n"
+    );
+    for (const instant& t : times)
+    {
+        xml +=
+            "<DataSet timestep=\"" + t.name() + "\" file=\"" + t.name() + "/"
+          + name + ".vtp\"/>\n";
+    }
+    saveText
+    (
+        directory/(name + ".pvd"),
+        xml + "</Collection>\n</VTKFile>\n"
+    );
+}
+
+
+// ************************************************************************* //
