@@ -312,9 +312,7 @@ void checkCounters(const dictionary& dict)
     {
         return;
     }
-    dictionary rest(dict);
-    rest.remove("checksum");
-    if (cloudState::textChecksum(rest) != dict.get<label>("checksum"))
+    if (cloudState::textChecksum(dict) != dict.get<label>("checksum"))
     {
         FatalIOErrorInFunction(dict)
             << "The entries are not those that were written: their checksum"

@@ -311,9 +311,13 @@ void Foam::cloudState::checkSavedFile(const fileName& file, const label most)
 
 Foam::label Foam::cloudState::textChecksum(const dictionary& dict)
 {
+    dictionary rest(dict);
+    rest.remove("checksum");
+    rest.remove("checksums");
+
     OStringStream os;
     os.precision(17);
-    dict.write(os, false);
+    rest.write(os, false);
 
     std::string text;
     for (const char c : os.str())
