@@ -119,12 +119,7 @@ class savedFile
             "label=" + std::to_string(8*sizeof(label))
           + ";scalar=" + std::to_string(8*sizeof(scalar))
         );
-        if
-        (
-            format_ == "binary"
-         && arch.size() && arch.find("label=" + std::to_string(8*sizeof(label)))
-         == std::string::npos
-        )
+        if (arch.size() && arch.find(own) == std::string::npos)
         {
             stop("The file was not written with " + own + '.');
         }

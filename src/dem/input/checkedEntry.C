@@ -82,6 +82,20 @@ Foam::scalar Foam::dem::getFinite
 }
 
 
+bool Foam::dem::isFinite(const vector& v)
+{
+    // NaN must not be compared: that is a floating-point trap
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (!std::isfinite(v[d]) || mag(v[d]) > 1e12)
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+
 Foam::vector Foam::dem::getFiniteVector
 (
     const dictionary& dict,
@@ -90,13 +104,9 @@ Foam::vector Foam::dem::getFiniteVector
 {
     const vector value = dict.get<vector>(key);
 
-    // Its square must be a number, too
-    for (direction d = 0; d < 3; ++d)
+    if (!isFinite(value))
     {
-        if (!(mag(value[d]) <= 1e12))
-        {
-            badEntry(dict, key, mustBe(value, "finite, components to 1e12"));
-        }
+        badEntry(dict, key, mustBe(value, "finite, components to 1e12"));
     }
     return value;
 }

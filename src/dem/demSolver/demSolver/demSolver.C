@@ -13,6 +13,8 @@ License
 #include "checkedEntry.H"
 #include "unitConversion.H"
 
+#include <cmath>
+
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
 namespace Foam
@@ -156,6 +158,10 @@ void Foam::dem::demSolver::readBodies()
             (
                 d.get<Tuple2<vector, scalar>>("rotation")
             );
+            if (!isFinite(turn.first()) || !std::isfinite(turn.second()))
+            {
+                badEntry(d, "rotation", "is not finite, or above 1e12");
+            }
             if (mag(turn.first()) < SMALL)
             {
                 badEntry(d, "rotation", "the axis has no length");

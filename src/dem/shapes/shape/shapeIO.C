@@ -47,16 +47,17 @@ void checkSpheres
         );
     }
 
+    scalar least = GREAT;
+    scalar extent = 0;
     forAll(spheres, i)
     {
         const scalar r = spheres[i].second();
 
         // Smaller than a virus to larger than a star: no power overflows
-        const point& c = spheres[i].first();
         if
         (
-            !(r >= 1e-10 && r <= 1e12)
-         || !(mag(c.x()) <= 1e12 && mag(c.y()) <= 1e12 && mag(c.z()) <= 1e12)
+            !std::isfinite(r) || r < 1e-10 || r > 1e12
+         || !dem::isFinite(spheres[i].first())
         )
         {
             OStringStream os;
@@ -65,6 +66,16 @@ void checkSpheres
                 << " (1e-10 to 1e12 m)";
             dem::badEntry(dict, "spheres", os.str());
         }
+        least = min(least, r);
+        extent = max(extent, mag(spheres[i].first()) + r);
+    }
+
+    if (extent > 1e6*least)
+    {
+        OStringStream os;
+        os  << "has spheres as small as " << least << " m that reach as far as "
+            << extent << " m from the origin: round-off would swallow them";
+        dem::badEntry(dict, "spheres", os.str());
     }
 }
 

@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "closedSurface.H"
+#include "checkedEntry.H"
 #include "boundBox.H"
 #include "error.H"
 #include "mathematicalConstants.H"
@@ -79,10 +80,7 @@ void Foam::dem::closedSurface::checkTriangles() const
 
     for (const point& p : points)
     {
-        if
-        (
-           !(mag(p.x()) < 1e12 && mag(p.y()) < 1e12 && mag(p.z()) < 1e12)
-        )
+        if (!isFinite(p))
         {
             bad.add(p);
         }
