@@ -131,6 +131,21 @@ void Foam::demCloud::checkFinite() const
 }
 
 
+void Foam::demCloud::markInterface()
+{
+    if (interface_.valid())
+    {
+        ledger::entry e(ledger_, "refinement around the bodies");
+        interface_->mark
+        (
+            dem_->state(),
+            patches_.period(),
+            2*mesh_.time().deltaTValue()
+        );
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::demCloud::beginStep()
@@ -231,15 +246,10 @@ void Foam::demCloud::correct(const volVectorField& U)
         exchange_.slip = immersed_->slip();
     }
 
-    if (interface_.valid())
+    // The mesh asks for it once the step is over, what is written sooner
+    if (mesh_.time().writeTime())
     {
-        ledger::entry e(ledger_, "refinement around the bodies");
-        interface_->mark
-        (
-            dem_->state(),
-            patches_.period(),
-            2*mesh_.time().deltaTValue()
-        );
+        markInterface();
     }
 }
 
@@ -251,6 +261,7 @@ void Foam::demCloud::endStep()
         return;
     }
     open_ = false;
+    markInterface();
 
     if (immersed_.valid())
     {

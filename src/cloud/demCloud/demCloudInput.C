@@ -157,12 +157,7 @@ void Foam::demCloud::refineInitially(const bool restarted)
         return;
     }
 
-    interface_->mark
-        (
-            dem_->state(),
-            patches_.period(),
-            2*mesh_.time().deltaTValue()
-        );
+    markInterface();
 
     dynamicRefineFvMesh* mesh =
         dynamic_cast<dynamicRefineFvMesh*>(const_cast<fvMesh*>(&mesh_));
@@ -207,12 +202,7 @@ void Foam::demCloud::refineInitially(const bool restarted)
         {
             break;
         }
-        interface_->mark
-        (
-            dem_->state(),
-            patches_.period(),
-            2*mesh_.time().deltaTValue()
-        );
+        markInterface();
     }
     mesh->topoChanging(false);
 
