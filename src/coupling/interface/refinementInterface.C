@@ -59,7 +59,15 @@ void choosePoints
     const bool all = any;
     for (const label p : points)
     {
-        if (all || body.distance(mesh.points()[p]) < reach)
+        // The distance to the body differs by no more than that to the centre
+        const point& x = mesh.points()[p];
+        const scalar toCentre = all ? 0 : mag(x - mesh.C()[cell]);
+        if
+        (
+            all
+         || centreDistance + toCentre < reach
+         || (centreDistance - toCentre < reach && body.distance(x) < reach)
+        )
         {
             chosen.set(p);
             any = true;
