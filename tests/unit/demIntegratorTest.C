@@ -16,7 +16,7 @@ Description
 
 #include "demCase.H"
 
-#include "integrator.H"
+#include "movedBodies.H"
 
 #include <cmath>
 #include <cstdio>
@@ -79,7 +79,7 @@ scalar partitionedError(const scalar tau)
     const label n = std::lround(1/tau);
     for (label i = 0; i < n; ++i)
     {
-        method->step(state, i*tau, tau, force);
+        moveBodies(*method, state, i*tau, tau, force);
     }
 
     const scalar y = 0.5*std::cosh(1.0) - 0.5*std::cos(1.0);
@@ -131,8 +131,9 @@ public:
 
     void step(const scalar dt)
     {
-        method_->step
+        moveBodies
         (
+            *method_,
             state_,
             0,
             dt,
@@ -276,7 +277,7 @@ TEST(demIntegrator, orderOfRotation)
         const label n = std::lround(4/dt);
         for (label i = 0; i < n; ++i)
         {
-            method->step(s, i*dt, dt, force);
+            moveBodies(*method, s, i*dt, dt, force);
         }
         return s.q[0].transform(vector(1, 1, 1)) + s.L[0];
     };

@@ -108,8 +108,9 @@ pairSet bruteForce(const bodies& state, const scalar skin)
 pairSet pairsOf(const verletList& list)
 {
     pairSet pairs;
-    for (const verletList::spherePair& p : list.pairs())
+    for (label k = 0; k < list.size(); ++k)
     {
+        const verletList::spherePair p = list.pair(k);
         EXPECT_LT(p.i, p.j);
         EXPECT_TRUE(pairs.insert(std::make_pair(p.i, p.j)).second)
             << "twice: " << p.i << ' ' << p.j;
@@ -142,7 +143,7 @@ TEST(demNeighbours, bruteForce)
         state.update();
 
         verletList neighbours(trial % 2 ? 0.1 : 1.5);
-        neighbours.build(state);
+        neighbours.build(packedBodies(state));
 
         const pairSet found = pairsOf(neighbours);
         const pairSet exact = bruteForce(state, neighbours.skin());
@@ -172,9 +173,9 @@ TEST(demNeighbours, nothingMissed)
     fill(state, 200, random);
 
     verletList neighbours(0.3);
-    EXPECT_TRUE(neighbours.outdated(state));
-    neighbours.build(state);
-    EXPECT_FALSE(neighbours.outdated(state));
+    EXPECT_TRUE(neighbours.outdated(packedBodies(state)));
+    neighbours.build(packedBodies(state));
+    EXPECT_FALSE(neighbours.outdated(packedBodies(state)));
 
     const auto uniform = [&]() { return random()/2147483648.0 - 1; };
     Foam::vectorField v(state.size());
@@ -190,9 +191,10 @@ TEST(demNeighbours, nothingMissed)
             state.x[b] += 2e-4*v[b];
         }
         state.update();
-        if (neighbours.outdated(state))
+        neighbours.moved(2e-4*std::sqrt(3.0));
+        if (neighbours.outdated(packedBodies(state)))
         {
-            neighbours.build(state);
+            neighbours.build(packedBodies(state));
         }
         const pairSet found = pairsOf(neighbours);
         if (step % 20 == 0)
@@ -234,39 +236,40 @@ TEST(demNeighbours, histories)
     };
 
     verletList neighbours(0.5);
-    neighbours.build(state);
-    for (label k = 0; k < neighbours.pairs().size(); ++k)
+    neighbours.build(packedBodies(state));
+    std::vector<verletList::pairHistory> slips;
+    for (label k = 0; k < neighbours.size(); ++k)
     {
-        const auto& p = neighbours.pairs()[k];
-        neighbours.setTrial
-        (
-            k,
-            touches(p),
-            touches(p) ? slipOf(p) : vector::zero
-        );
+        const auto p = neighbours.pair(k);
+        if (touches(p))
+        {
+            slips.push_back({p, slipOf(p)});
+        }
     }
-    neighbours.accept();
+    Foam::List<verletList::pairHistory> saved(slips.size());
+    std::copy(slips.begin(), slips.end(), saved.begin());
+    neighbours.setHistories(saved);
+    neighbours.build(packedBodies(state));
 
     const auto check = [&]()
     {
+        const auto found = neighbours.histories();
         label n = 0;
-        for (label k = 0; k < neighbours.pairs().size(); ++k)
+        for (label k = 0; k < neighbours.size(); ++k)
         {
-            const auto& p = neighbours.pairs()[k];
-            EXPECT_EQ(neighbours.touching()[k], touches(p));
-            EXPECT_EQ
-            (
-                neighbours.xi()[k],
-                touches(p) ? slipOf(p) : vector::zero
-            );
-            n += touches(p);
+            n += touches(neighbours.pair(k));
+        }
+        EXPECT_EQ(found.size(), n);
+        for (const verletList::pairHistory& h : found)
+        {
+            EXPECT_EQ(h.xi, slipOf(h.pair));
         }
         return n;
     };
 
     const label before = check();
     EXPECT_GT(before, 100);
-    neighbours.build(state);
+    neighbours.build(packedBodies(state));
     EXPECT_EQ(check(), before);
 
     // Remove every third body
@@ -286,8 +289,8 @@ TEST(demNeighbours, histories)
     }
     state.remove(marked);
     neighbours.renumber(newIndex);
-    EXPECT_TRUE(neighbours.outdated(state));
-    neighbours.build(state);
+    EXPECT_TRUE(neighbours.outdated(packedBodies(state)));
+    neighbours.build(packedBodies(state));
     EXPECT_GT(check(), 40);
 }
 

@@ -334,7 +334,7 @@ TEST(demPeriodic, bruteForce)
 
         verletList list(0.2);
         list.setPeriodicity(input.period);
-        list.build(state);
+        list.build(packedBodies(state));
 
         std::vector<std::array<label, 3>> expected;
         for (label i = 0; i < state.nSpheres(); ++i)
@@ -362,12 +362,24 @@ TEST(demPeriodic, bruteForce)
             }
         }
 
-        wrong += mag(label(expected.size()) - list.pairs().size());
-        for (label p = 0; p < list.pairs().size() && !wrong; ++p)
+        // The list has pairs through seams behind the others
+        std::stable_sort
+        (
+            expected.begin(),
+            expected.end(),
+            [](const auto& a, const auto& b)
+            {
+                return
+                    (a[2] != periodicity::original)
+                  < (b[2] != periodicity::original);
+            }
+        );
+        wrong += mag(label(expected.size()) - list.size());
+        for (label p = 0; p < list.size() && !wrong; ++p)
         {
             const auto& e = expected[p];
             wrong +=
-                list.pairs()[p].i != e[0] || list.pairs()[p].j != e[1]
+                list.pair(p).i != e[0] || list.pair(p).j != e[1]
              || mag(list.shift(p) - input.period.shift(e[2])) > 1e-15;
         }
     }

@@ -55,12 +55,16 @@ public:
         deltaT_(dict.get<scalar>("deltaT"))
     {}
 
-    virtual stepChoice propose(const bodies&, const contactSummary&) const
+    virtual stepChoice propose
+    (
+        const packedBodies&,
+        const contactSummary&
+    ) const
     {
         return stepChoice{(trial() ? 7.3 : 1)*deltaT_, "rejecting"};
     }
 
-    virtual bool acceptMove(const bodies&, const UList<point>&, const scalar)
+    virtual bool acceptMove(const packedBodies&, const scalar)
     {
         return n_ % 6 == 0 ? ++n_ < 0 : true;
     }

@@ -141,8 +141,9 @@ public:
     {
         state_.x[0] = x;
         state_.update();
-        walls_.build(state_, 0.1);
-        walls_.findTouches(state_);
+        const packedBodies packed(state_);
+        walls_.build(packed, 0.1);
+        walls_.findTouches(packed);
         return walls_.trial();
     }
 

@@ -18,7 +18,7 @@ Description
 
 #include "dragLaw.H"
 #include "fluidDrag.H"
-#include "integrator.H"
+#include "movedBodies.H"
 
 #include <cmath>
 #include <functional>
@@ -121,8 +121,9 @@ public:
 
     void step(const scalar dt)
     {
-        method_->step
+        moveBodies
         (
+            *method_,
             state_,
             t_,
             dt,

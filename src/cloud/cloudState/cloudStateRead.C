@@ -98,7 +98,6 @@ void readBodies
         state.q[b] = q;
         state.L[b] = L[b];
         state.omega[b] = omega[b];
-        state.omegaHalf[b] = omega[b];
         state.updateSpheres(b);
     }
 

@@ -135,6 +135,9 @@ void Foam::demCloud::markInterface()
 {
     if (interface_.valid())
     {
+        // The mesh asks for these itself when it refines: they count as its
+        mesh_.pointCells();
+
         ledger::entry e(ledger_, "refinement around the bodies");
         interface_->mark
         (

@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "bodies.H"
+#include "rotation.H"
 
 // * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
 
@@ -61,8 +62,6 @@ Foam::label Foam::dem::bodies::append(const newBody& n)
     q.append(unit(n.orientation*quaternion(s.toUser())));
     omega.append(n.angularVelocity);
     L.append(Zero);
-    vHalf.append(n.velocity);
-    omegaHalf.append(n.angularVelocity);
     force.append(Zero);
     torque.append(Zero);
     fluidForce.append(Zero);
@@ -105,8 +104,6 @@ void Foam::dem::bodies::remove(const boolList& marked)
     keep(q, marked);
     keep(L, marked);
     keep(omega, marked);
-    keep(vHalf, marked);
-    keep(omegaHalf, marked);
     keep(force, marked);
     keep(torque, marked);
     keep(fluidForce, marked);
@@ -138,8 +135,7 @@ Foam::vector Foam::dem::bodies::omegaFrom
         return angularMomentum/inertia[b].x();
     }
 
-    const vector Lb = q[b].invTransform(angularMomentum);
-    return q[b].transform(cmptDivide(Lb, inertia[b]));
+    return angularVelocity(q[b], angularMomentum, inertia[b]);
 }
 
 

@@ -17,7 +17,11 @@ License
 
 Foam::dem::contactLaws::contactLaws(const dictionary& dict)
 {
-    checkKeys(dict, {"normal", "tangential", "damping"});
+    checkKeys
+    (
+        dict,
+        {"normal", "tangential", "damping", "instructions"}
+    );
 
     if (dict.found("normal"))
     {
@@ -31,6 +35,11 @@ Foam::dem::contactLaws::contactLaws(const dictionary& dict)
     {
         damping =
             getChoice(dict, "damping", {"none", "hades", "restitution"});
+    }
+    if (dict.found("instructions"))
+    {
+        instructions =
+            getChoice(dict, "instructions", {"auto", "sse2", "avx2", "avx512"});
     }
 }
 

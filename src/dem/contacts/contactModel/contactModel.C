@@ -8,12 +8,9 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "contactKernel.H"
-#include "hertz.H"
-#include "tangentialLaws.H"
-#include "dampingLaws.H"
+#include "contactModel.H"
 
-// * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
 {
@@ -21,47 +18,256 @@ namespace
 using namespace Foam;
 using namespace Foam::dem;
 
-//- The kernel once the normal and the tangential law are known
-template<class Normal, class Tangential>
-autoPtr<contactModel> withDamping(const word& damping, const materials& m)
+struct namedSet
 {
-    if (damping == "restitution")
+    const char* name;
+    const sweepSet* sweeps;
+    bool runs;
+};
+
+
+//- The sets of instructions, the best first
+const namedSet& find(const word& name)
+{
+    static const namedSet sets[] =
     {
-        return autoPtr<contactModel>
-        (
-            new contactKernel<Normal, Tangential, dampingLaws::restitution>(m)
-        );
-    }
-    if (damping == "hades")
+        {
+            "avx512",
+            &sweepAvx512,
+            __builtin_cpu_supports("avx512f")
+         && __builtin_cpu_supports("avx512dq")
+         && __builtin_cpu_supports("avx512vl")
+         && __builtin_cpu_supports("avx512bw")
+        },
+        {
+            "avx2",
+            &sweepAvx2,
+            __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")
+        },
+        {"sse2", &sweepSse2, true}
+    };
+
+    for (const namedSet& s : sets)
     {
-        return autoPtr<contactModel>
-        (
-            new contactKernel<Normal, Tangential, dampingLaws::hades>(m)
-        );
+        if (name == "auto" ? s.runs : name == s.name)
+        {
+            if (s.runs)
+            {
+                return s;
+            }
+            break;
+        }
     }
-    return autoPtr<contactModel>
-    (
-        new contactKernel<Normal, Tangential, dampingLaws::none>(m)
-    );
+    FatalErrorInFunction
+        << "This processor has no instructions " << name << "." << nl
+        << "    Take auto for the entry instructions of contact."
+        << exit(FatalError);
+    return sets[2];
+}
+
+
+sweepLaws numbered(const contactLaws& laws)
+{
+    sweepLaws n;
+    n.tangential =
+        laws.tangential == "mindlin"
+      ? sweepLaws::mindlin
+      : sweepLaws::noTangential;
+    n.damping =
+        laws.damping == "hades" ? sweepLaws::hades
+      : laws.damping == "restitution" ? sweepLaws::restitution
+      : sweepLaws::noDamping;
+    return n;
 }
 
 } // End anonymous namespace
 
 
-// * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::autoPtr<Foam::dem::contactModel> Foam::dem::contactModel::New
+void Foam::dem::contactModel::giveWalls
+(
+    const packedBodies& state,
+    wallSet& walls,
+    sweepData& data
+)
+{
+    const UList<wallTouch>& touches = walls.trial();
+    const label W = nLanes();
+    const label n = (touches.size() + W - 1)/W*W;
+
+    wallBlocks& b = blocks_;
+    b.sphere.assign(n, state.nSpheres());
+    b.material.assign(n, 0);
+    b.normal.assign(3*n, 0);
+    b.overlap.assign(n, 0);
+    b.velocity.assign(3*n, 0);
+    b.spin.assign(n, 0);
+    b.xi.assign(3*n, 0);
+    b.rate.assign(4*n, 0);
+    b.touched.assign(n/W, 0);
+
+    data.mirrors = false;
+    forAll(touches, k)
+    {
+        const wallTouch& t = touches[k];
+        b.sphere[k] = t.sphere;
+        b.material[k] = walls.walls()[t.wallI].materialI();
+        b.overlap[k] = t.overlap;
+        b.spin[k] = t.spin;
+        data.mirrors = data.mirrors || b.material[k] < 0;
+
+        const label first = 3*(k - k % W) + k % W;
+        for (direction d = 0; d < 3; ++d)
+        {
+            b.normal[first + d*W] = t.n[d];
+            b.velocity[first + d*W] = t.u[d];
+            b.xi[first + d*W] = t.xi[d];
+        }
+        for (direction d = 0; d < 4; ++d)
+        {
+            b.rate[4*(k - k % W) + d*W + k % W] = t.rate[d];
+        }
+        b.touched[k/W] |= (t.likeness > 0) << (k % W);
+    }
+
+    data.nWallBlocks = n/W;
+    data.sphere = b.sphere.data();
+    data.wallMaterial = b.material.data();
+    data.wallNormal = b.normal.data();
+    data.wallOverlap = b.overlap.data();
+    data.wallVelocity = b.velocity.data();
+    data.wallSpin = b.spin.data();
+    data.wallXi = b.xi.data();
+    data.wallRate = b.rate.data();
+    data.wallTouchedOld = b.touched.data();
+}
+
+
+void Foam::dem::contactModel::takeWalls(wallSet& walls) const
+{
+    UList<wallTouch>& touches = walls.trial();
+    const label W = nLanes();
+
+    forAll(touches, k)
+    {
+        wallTouch& t = touches[k];
+        for (direction d = 0; d < 3; ++d)
+        {
+            t.xi[d] = blocks_.xi[3*(k - k % W) + d*W + k % W];
+        }
+        for (direction d = 0; d < 4; ++d)
+        {
+            t.rate[d] = blocks_.rate[4*(k - k % W) + d*W + k % W];
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::dem::contactModel::contactModel
 (
     const contactLaws& laws,
     const materials& m
 )
-{
-    using normalLaws::hertz;
+:
+    materials_(m),
+    set_(find(laws.instructions).sweeps),
+    sweep_(set_->select(numbered(laws)))
+{}
 
-    return
-        laws.tangential == "mindlin"
-      ? withDamping<hertz, tangentialLaws::mindlin>(laws.damping, m)
-      : withDamping<hertz, tangentialLaws::none>(laws.damping, m);
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::word Foam::dem::contactModel::instructions() const
+{
+    for (const char* name : {"avx512", "avx2", "sse2"})
+    {
+        if (nLanes() == find(name).sweeps->nLanes)
+        {
+            return name;
+        }
+    }
+    return word::null;
+}
+
+
+Foam::dem::contactSummary Foam::dem::contactModel::addForces
+(
+    packedBodies& state,
+    verletList& list,
+    wallSet& walls,
+    const scalar dt,
+    const scalar between,
+    const bool onTrial
+)
+{
+    walls.findTouches(state);
+
+    sweepData data;
+    packedBodies::records& r = state.spheres();
+    data.x = r.x.data();
+    data.v = r.v.data();
+    data.w = r.w.data();
+    data.f = r.f.data();
+    data.t = r.t.data();
+    data.material = state.material();
+    data.pairs = materials_.pairs().cdata();
+    data.nMaterials = materials_.names().size();
+    data.dt = dt;
+    data.ahead = between > 0 ? 0.5*dt/between : 0;
+    list.give(data, onTrial);
+    giveWalls(state, walls, data);
+
+    sweepExtremes pairs, atWalls;
+    sweep_(data, pairs, atWalls);
+    takeWalls(walls);
+
+    contactSummary sum;
+    sum.nPairs = pairs.nTouching;
+    sum.nWalls = atWalls.nTouching;
+    sum.wallSpeed = walls.speed();
+
+    const auto bodyAt = [&](const label sphere)
+    {
+        return state.bodyOf(sphere);
+    };
+    const auto wallAt = [&](const label lane)
+    {
+        return -1 - walls.trial()[lane].wallI;
+    };
+    if (atWalls.overlap > pairs.overlap)
+    {
+        sum.overlap = atWalls.overlap;
+        sum.overlapA = bodyAt(blocks_.sphere[atWalls.overlapAt]);
+        sum.overlapB = wallAt(atWalls.overlapAt);
+    }
+    else if (pairs.overlapAt >= 0)
+    {
+        const verletList::spherePair p = list.pairInLane(pairs.overlapAt);
+        sum.overlap = pairs.overlap;
+        sum.overlapA = bodyAt(p.i);
+        sum.overlapB = bodyAt(p.j);
+    }
+    if (atWalls.frequency10 > pairs.frequency10)
+    {
+        sum.frequency10 = atWalls.frequency10;
+        sum.stiffA = bodyAt(blocks_.sphere[atWalls.stiffAt]);
+        sum.stiffB = wallAt(atWalls.stiffAt);
+    }
+    else if (pairs.stiffAt >= 0)
+    {
+        const verletList::spherePair p = list.pairInLane(pairs.stiffAt);
+        sum.frequency10 = pairs.frequency10;
+        sum.stiffA = bodyAt(p.i);
+        sum.stiffB = bodyAt(p.j);
+    }
+    if (sum.frequency10 > 0)
+    {
+        sum.duration = set_->duration/pow(sum.frequency10, 0.1);
+    }
+    return sum;
 }
 
 

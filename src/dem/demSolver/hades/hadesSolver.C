@@ -25,89 +25,96 @@ namespace dem
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::dem::hadesSolver::save()
-{
-    old_.x = state_.x;
-    old_.v = state_.v;
-    old_.q = state_.q;
-    old_.L = state_.L;
-    old_.omega = state_.omega;
-    old_.force = state_.force;
-    old_.torque = state_.torque;
-}
-
-
-void Foam::dem::hadesSolver::undo()
-{
-    state_.x = old_.x;
-    state_.v = old_.v;
-    state_.q = old_.q;
-    state_.L = old_.L;
-    state_.omega = old_.omega;
-    state_.force = old_.force;
-    state_.torque = old_.torque;
-    forAll(state_.x, b)
-    {
-        state_.updateSpheres(b);
-    }
-}
-
-
 void Foam::dem::hadesSolver::crossSeams(const scalar slack)
 {
-    const List<labelVector> turns(takeIn(slack));
-    if (turns.size())
+    if (!input_.period.active())
     {
-        list_.turn(state_, turns);
+        return;
     }
+
+    bool out = false;
+    for (label b = 0; b < packed_.size() && !out; ++b)
+    {
+        out =
+            input_.period.turns(packed_.position(b), slack)
+         != labelVector::zero;
+    }
+    if (!out)
+    {
+        return;
+    }
+
+    packed_.unpackPositions(state_);
+    list_.turn(state_, takeIn(slack));
+    packed_.setPositions(state_);
 }
 
 
-void Foam::dem::hadesSolver::computeForces(const scalar t, const scalar dt)
+void Foam::dem::hadesSolver::begin(const scalar t)
+{
+    packed_.pack(state_, g());
+    lastDt_ = 0;
+    computeForces(t, 0, false);
+    list_.accept();
+    walls_.accept();
+}
+
+
+void Foam::dem::hadesSolver::computeForces
+(
+    const scalar t,
+    const scalar dt,
+    const bool onTrial
+)
 {
     walls_.moveTo(t);
-    if (list_.outdated(state_) || walls_.outdated(0.5*list_.skin()))
+    if (list_.outdated(packed_) || walls_.outdated(0.5*list_.skin()))
     {
-        list_.build(state_);
-        walls_.build(state_, list_.skin());
+        list_.build(packed_);
+        walls_.build(packed_, list_.skin());
     }
 
-    forAll(state_.x, b)
-    {
-        state_.force[b] = state_.mass[b]*g() + state_.fluidForce[b];
-        state_.torque[b] = state_.fluidTorque[b];
-    }
-
-    summary_ = contacts_->addForces(state_, list_, walls_, dt);
+    summary_ = contacts_.addForces
+    (
+        packed_,
+        list_,
+        walls_,
+        dt,
+        0.5*(lastDt_ + dt),
+        onTrial
+    );
 }
 
 
 bool Foam::dem::hadesSolver::tryStep(const scalar t, const scalar dt)
 {
-    save();
+    const bool onTrial = control_->undoes();
     const contactSummary oldSummary = summary_;
     bool ok = true;
 
     integrator_->step
     (
-        state_,
+        packed_,
         t,
         dt,
+        onTrial,
         [&](const scalar time, const scalar dtForce)
         {
-            ok = ok && control_->acceptMove(state_, old_.x, dt);
+            ok = ok && control_->acceptMove(packed_, dt);
             if (ok)
             {
-                computeForces(time, dtForce);
+                const packedBodies::motion& m = packed_.bounds();
+                list_.moved((m.speed + m.turning)*dt);
+                computeForces(time, dtForce, onTrial);
                 ok = control_->acceptContacts(summary_, dt);
             }
         }
     );
 
     rejected_ = contactSummary();
-    if (!ok)
+    if (!ok && onTrial)
     {
-        undo();
+        packed_.undo();
         rejected_ = summary_;
         summary_ = oldSummary;
         return false;
@@ -116,6 +123,7 @@ bool Foam::dem::hadesSolver::tryStep(const scalar t, const scalar dt)
     list_.accept();
     walls_.accept();
     control_->accepted(dt);
+    lastDt_ = dt;
     return true;
 }
 
@@ -127,7 +135,7 @@ Foam::scalar Foam::dem::hadesSolver::nextStep
     stepChoice& step
 )
 {
-    step = control_->propose(state_, summary_);
+    step = control_->propose(packed_, summary_);
 
     // Round-off of t must not cost another step
     const scalar left = t1 - t;
@@ -165,7 +173,7 @@ Foam::dem::contactLaws readLaws(const Foam::dictionary& dict)
 Foam::dem::hadesSolver::hadesSolver(const demInput& input)
 :
     demSolver(input, &static_cast<const contactLaws&>(readLaws(input.dict))),
-    contacts_(contactModel::New(readLaws(input.dict), materials_)),
+    contacts_(readLaws(input.dict), materials_),
     list_
     (
         input.dict.found("neighbours")
@@ -175,6 +183,7 @@ Foam::dem::hadesSolver::hadesSolver(const demInput& input)
     integrator_(integrator::New(input.dict)),
     control_(stepControl::New(input.dict.subDict("stepControl")))
 {
+    list_.setLanes(contacts_.nLanes());
     list_.setPeriodicity(input_.period);
     walls_.setPeriodicity(input_.period);
     readWalls();
@@ -232,11 +241,7 @@ void Foam::dem::hadesSolver::advance(const scalar t0, const scalar t1)
     checkFinite(t0);
 
     // The forces that are held have changed, perhaps the velocities too
-    state_.vHalf = state_.v;
-    state_.omegaHalf = state_.omega;
-    computeForces(t0, 0);
-    list_.accept();
-    walls_.accept();
+    begin(t0);
 
     scalar t = t0;
     while (t < t1)
@@ -267,6 +272,7 @@ void Foam::dem::hadesSolver::advance(const scalar t0, const scalar t1)
     }
 
     crossSeams(0);
+    packed_.unpack(state_);
     checkFinite(t1);
     report_.nContacts = summary_.nPairs + summary_.nWalls;
 }

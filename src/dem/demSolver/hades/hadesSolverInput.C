@@ -39,7 +39,8 @@ void Foam::dem::hadesSolver::checkOverlaps()
         return;
     }
 
-    computeForces(0, 0);
+    packed_.pack(state_, g());
+    computeForces(0, 0, true);
     report_.overlap = summary_.overlap;
 
     if (summary_.overlap > 1e-3)

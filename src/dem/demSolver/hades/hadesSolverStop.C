@@ -35,8 +35,9 @@ Foam::string Foam::dem::hadesSolver::shown(const vector& v)
 Foam::string Foam::dem::hadesSolver::neighboursOf(const label b) const
 {
     labelHashSet others;
-    for (const verletList::spherePair& p : list_.pairs())
+    for (label k = 0; k < list_.size(); ++k)
     {
+        const verletList::spherePair p = list_.pair(k);
         const label i = state_.sphereBody[p.i];
         const label j = state_.sphereBody[p.j];
         if (i == b || j == b)
@@ -78,6 +79,8 @@ void Foam::dem::hadesSolver::stop(const scalar t, const string& why)
 
 void Foam::dem::hadesSolver::giveUp(const scalar t, const stepChoice& step)
 {
+    packed_.unpack(state_);
+
     OStringStream why;
     why << "    They need a step of " << step.dt << " s, but "
         << control_->minimum().c_str() << ' ' << control_->minDeltaT()
@@ -114,6 +117,8 @@ void Foam::dem::hadesSolver::giveUp
     const stepChoice& step
 )
 {
+    packed_.unpack(state_);
+
     OStringStream why;
     why << "    An advance by " << length << " s has taken the maxSteps of "
         << control_->maxSteps() << "; they are at " << dt << " s now ("

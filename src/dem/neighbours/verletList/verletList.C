@@ -15,97 +15,109 @@ License
 
 #include <algorithm>
 #include <tuple>
-#include <unordered_map>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- In the order of the list: pairs through seams last, so that the order in
+//  which forces are added, and with it their round-off, does not depend on
+//  when the list was made
+bool before
+(
+    const Foam::dem::verletList::pairHistory& a,
+    const Foam::dem::verletList::pairHistory& b
+)
+{
+    const bool seamA = a.image != Foam::dem::periodicity::original;
+    const bool seamB = b.image != Foam::dem::periodicity::original;
+    return
+        std::tie(seamA, a.pair.i, a.pair.j, a.image)
+      < std::tie(seamB, b.pair.i, b.pair.j, b.image);
+}
+
+} // End anonymous namespace
+
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-uint64_t Foam::dem::verletList::keyOf(const label p) const
+void Foam::dem::verletList::search
+(
+    const packedBodies& state,
+    DynamicList<pairHistory>& plain,
+    DynamicList<pairHistory>& images
+) const
 {
-    return
-        ((uint64_t(pairs_[p].i)*27 + imageOf(p)) << 31) | uint32_t(pairs_[p].j);
-}
-
-
-void Foam::dem::verletList::search(const bodies& state)
-{
-    pairs_.clear();
-    image_.clear();
-
-    if (state.nSpheres() < 2)
+    const label n = state.nSpheres();
+    if (n < 2)
     {
         return;
     }
     if (periodic())
     {
-        searchImages(state);
+        searchImages(state, plain, images);
         return;
     }
 
-    const UList<label>& body = state.sphereBody;
-
-    sizeLevels(state.sphereX, state.sphereR, skin_).forEachPair
+    scalarList r(n);
+    for (label s = 0; s < n; ++s)
+    {
+        r[s] = state.radius(s);
+    }
+    sizeLevels(built_, r, skin_).forEachPair
     (
         [&](const label i, const label j)
         {
-            if (body[i] != body[j])
+            if (state.bodyOf(i) != state.bodyOf(j))
             {
-                pairs_.append(spherePair{min(i, j), max(i, j)});
+                plain.append
+                (
+                    pairHistory{spherePair{min(i, j), max(i, j)}, Zero}
+                );
             }
-        }
-    );
-
-    // So that the order in which forces are added, and with it their
-    // round-off, does not depend on when the list was made
-    std::sort
-    (
-        pairs_.begin(),
-        pairs_.end(),
-        [](const spherePair& a, const spherePair& b)
-        {
-            return a.i < b.i || (a.i == b.i && a.j < b.j);
         }
     );
 }
 
 
-void Foam::dem::verletList::searchImages(const bodies& state)
+void Foam::dem::verletList::searchImages
+(
+    const packedBodies& state,
+    DynamicList<pairHistory>& plain,
+    DynamicList<pairHistory>& images
+) const
 {
-    const UList<label>& body = state.sphereBody;
     const label n = state.nSpheres();
 
     // The spheres, and behind them the images of those near a seam
-    DynamicList<point> x(state.sphereX);
-    DynamicList<scalar> r(state.sphereR);
+    DynamicList<point> x(built_);
+    DynamicList<scalar> r(n);
     DynamicList<label> source(identity(n));
     DynamicList<label> image(labelList(n, label(periodicity::original)));
 
     scalar overhang = 0;
     for (label s = 0; s < n; ++s)
     {
+        r.append(state.radius(s));
         overhang = max(overhang, period_.overhang(x[s], r[s]));
     }
     for (label s = 0; s < n; ++s)
     {
+        const scalar radius = r[s];
         period_.forEachImage
         (
-            state.sphereX[s],
-            state.sphereR[s] + skin_ + overhang,
+            built_[s],
+            radius + skin_ + overhang,
             [&](const label m)
             {
-                x.append(state.sphereX[s] + period_.shift(m));
-                r.append(state.sphereR[s]);
+                x.append(built_[s] + period_.shift(m));
+                r.append(radius);
                 source.append(s);
                 image.append(m);
             }
         );
     }
-
-    struct imagePair
-    {
-        spherePair pair;
-        label image;
-    };
-    DynamicList<imagePair> found;
 
     sizeLevels(x, r, skin_).forEachPair
     (
@@ -120,30 +132,62 @@ void Foam::dem::verletList::searchImages(const bodies& state)
             if
             (
                 image[i] == periodicity::original
-             && body[source[i]] != body[source[j]]
+             && state.bodyOf(source[i]) != state.bodyOf(source[j])
             )
             {
-                found.append(imagePair{{source[i], source[j]}, image[j]});
+                const bool seam = image[j] != periodicity::original;
+                (seam ? images : plain).append
+                (
+                    pairHistory{{source[i], source[j]}, Zero, image[j]}
+                );
             }
         }
     );
+}
 
-    std::sort
-    (
-        found.begin(),
-        found.end(),
-        [](const imagePair& a, const imagePair& b)
-        {
-            return
-                std::tie(a.pair.i, a.pair.j, a.image)
-              < std::tie(b.pair.i, b.pair.j, b.image);
-        }
-    );
-    for (const imagePair& p : found)
+
+void Foam::dem::verletList::fill
+(
+    const UList<pairHistory>& pairs,
+    const label nSpheres
+)
+{
+    const label W = nLanes_;
+    const label nBlocks =
+        nPlainBlocks_ + (nImages_ + W - 1)/W;
+
+    i_.assign(nBlocks*W, nSpheres);
+    j_.assign(nBlocks*W, nSpheres + 1);
+    image_.clear();
+    if (periodic())
     {
-        pairs_.append(p.pair);
-        image_.append(p.image);
+        image_.assign(nBlocks*W, periodicity::original);
     }
+    now_.xi.assign(3*nBlocks*W, 0);
+    now_.rate.assign(4*nBlocks*W, 0);
+    now_.touched.assign(nBlocks, 0);
+
+    forAll(pairs, p)
+    {
+        const label k = slot(p);
+        const pairHistory& h = pairs[p];
+        i_[k] = h.pair.i;
+        j_[k] = h.pair.j;
+        if (periodic())
+        {
+            image_[k] = h.image;
+        }
+        for (direction d = 0; d < 3; ++d)
+        {
+            now_.xi[3*(k - k % W) + d*W + k % W] = h.xi[d];
+        }
+        for (direction d = 0; d < 4; ++d)
+        {
+            now_.rate[4*(k - k % W) + d*W + k % W] = h.rate[d];
+        }
+        now_.touched[k/W] |= h.touches << (k % W);
+    }
+    trial_ = memory();
 }
 
 
@@ -151,9 +195,7 @@ void Foam::dem::verletList::searchImages(const bodies& state)
 
 Foam::dem::verletList::verletList(const scalar relativeSkin)
 :
-    relativeSkin_(relativeSkin),
-    skin_(0),
-    nBuilds_(0)
+    relativeSkin_(relativeSkin)
 {}
 
 
@@ -169,93 +211,97 @@ Foam::dem::verletList::verletList(const dictionary& dict)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::dem::verletList::outdated(const bodies& state) const
+bool Foam::dem::verletList::outdated(const packedBodies& state)
 {
-    if (built_.size() != state.nSpheres())
+    if (!valid_ || built_.size() != state.nSpheres())
     {
         return true;
     }
+    if (moved_ <= 0.5*skin_)
+    {
+        return false;
+    }
 
-    const scalar limit = sqr(0.5*skin_);
+    // The bound is used up: how far have they really moved?
+    scalar furthest = 0;
     forAll(built_, s)
     {
-        if (magSqr(state.sphereX[s] - built_[s]) > limit)
-        {
-            return true;
-        }
+        furthest = max(furthest, magSqr(state.centre(s) - built_[s]));
     }
-    return false;
+    moved_ = sqrt(furthest);
+    return moved_ > 0.5*skin_;
 }
 
 
-void Foam::dem::verletList::build(const bodies& state)
+void Foam::dem::verletList::build(const packedBodies& state)
 {
-    std::unordered_map<uint64_t, vector> history;
-    forAll(pairs_, p)
+    List<pairHistory> old(valid_ ? histories() : kept_);
+    if (!std::is_sorted(old.begin(), old.end(), before))
     {
-        if (touching_[p])
+        std::sort(old.begin(), old.end(), before);
+    }
+    kept_.clear();
+
+    const label n = state.nSpheres();
+    scalar sum = 0;
+    built_.setSize(n);
+    for (label s = 0; s < n; ++s)
+    {
+        built_[s] = state.centre(s);
+        sum += state.radius(s);
+    }
+    skin_ = n ? relativeSkin_*sum/n : 0;
+    moved_ = 0;
+
+    DynamicList<pairHistory> pairs, images;
+    search(state, pairs, images);
+    std::sort(pairs.begin(), pairs.end(), before);
+    std::sort(images.begin(), images.end(), before);
+    nPlain_ = pairs.size();
+    nImages_ = images.size();
+    nPlainBlocks_ = (nPlain_ + nLanes_ - 1)/nLanes_;
+    pairs.append(images);
+
+    // Both lists are sorted
+    label o = 0;
+    for (pairHistory& p : pairs)
+    {
+        while (o < old.size() && before(old[o], p))
         {
-            history.emplace(keyOf(p), xi_[p]);
+            ++o;
+        }
+        const bool same = o < old.size() && !before(p, old[o]);
+        p.touches = same;
+        if (same)
+        {
+            p = old[o++];
         }
     }
 
-    skin_ =
-        state.nSpheres()
-      ? relativeSkin_*sum(state.sphereR)/state.nSpheres()
-      : 0;
-
-    search(state);
-
-    xi_ = DynamicList<vector>(pairs_.size());
-    xi_.setSize(pairs_.size(), vector(Zero));
-    touching_ = DynamicList<bool>(pairs_.size());
-    touching_.setSize(pairs_.size(), false);
-
-    if (!history.empty())
-    {
-        forAll(pairs_, p)
-        {
-            const auto old = history.find(keyOf(p));
-            if (old != history.end())
-            {
-                xi_[p] = old->second;
-                touching_[p] = true;
-            }
-        }
-    }
-
-    xiNew_ = xi_;
-    touchingNew_ = touching_;
-    built_ = pointField(state.sphereX);
+    fill(pairs, n);
+    valid_ = true;
     ++nBuilds_;
 }
 
 
 void Foam::dem::verletList::renumber(const labelUList& newIndex)
 {
-    label n = 0;
-    forAll(pairs_, p)
+    if (valid_)
     {
-        const label i = newIndex[pairs_[p].i];
-        const label j = newIndex[pairs_[p].j];
+        drop();
+    }
 
-        if (touching_[p] && i >= 0 && j >= 0)
+    label n = 0;
+    for (pairHistory& h : kept_)
+    {
+        h.pair.i = newIndex[h.pair.i];
+        h.pair.j = newIndex[h.pair.j];
+        if (h.pair.i >= 0 && h.pair.j >= 0)
         {
-            if (periodic())
-            {
-                image_[n] = image_[p];
-            }
-            pairs_[n] = spherePair{i, j};
-            xi_[n] = xi_[p];
-            touching_[n] = true;
-            ++n;
+            kept_[n++] = pairHistory(h);
         }
     }
-    pairs_.setSize(n);
-    image_.setSize(min(n, image_.size()));
-    xi_.setSize(n);
-    touching_.setSize(n);
-    built_.clear();
+    kept_.setSize(n);
 }
 
 
@@ -265,36 +311,58 @@ void Foam::dem::verletList::turn
     const UList<labelVector>& turns
 )
 {
-    forAll(pairs_, p)
+    if (valid_)
     {
-        if (!touching_[p])
-        {
-            continue;
-        }
-
-        // What touches is nearer than a period, so the image is one of the 27
-        image_[p] = periodicity::moved
-        (
-            image_[p],
-            turns[state.sphereBody[pairs_[p].i]]
-          - turns[state.sphereBody[pairs_[p].j]]
-        );
-        touching_[p] = image_[p] >= 0;
+        drop();
     }
-    built_.clear();
+
+    label n = 0;
+    for (pairHistory& h : kept_)
+    {
+        // What touches is nearer than a period, so the image is one of the 27
+        h.image = periodicity::moved
+        (
+            h.image,
+            turns[state.sphereBody[h.pair.i]]
+          - turns[state.sphereBody[h.pair.j]]
+        );
+        if (h.image >= 0)
+        {
+            kept_[n++] = pairHistory(h);
+        }
+    }
+    kept_.setSize(n);
 }
 
 
 Foam::List<Foam::dem::verletList::pairHistory>
 Foam::dem::verletList::histories() const
 {
-    DynamicList<pairHistory> found;
-    forAll(pairs_, p)
+    if (!valid_)
     {
-        if (touching_[p])
+        return kept_;
+    }
+
+    const label W = nLanes_;
+    DynamicList<pairHistory> found;
+    for (label p = 0; p < size(); ++p)
+    {
+        const label k = slot(p);
+        if (!(now_.touched[k/W] & (1 << (k % W))))
         {
-            found.append(pairHistory{pairs_[p], xi_[p], imageOf(p)});
+            continue;
         }
+
+        pairHistory h{pair(p), Zero, imageOf(k)};
+        for (direction d = 0; d < 3; ++d)
+        {
+            h.xi[d] = now_.xi[3*(k - k % W) + d*W + k % W];
+        }
+        for (direction d = 0; d < 4; ++d)
+        {
+            h.rate[d] = now_.rate[4*(k - k % W) + d*W + k % W];
+        }
+        found.append(h);
     }
     return List<pairHistory>(std::move(found));
 }
@@ -302,21 +370,42 @@ Foam::dem::verletList::histories() const
 
 void Foam::dem::verletList::setHistories(const UList<pairHistory>& touching)
 {
-    pairs_.clear();
-    image_.clear();
-    xi_.clear();
-    touching_.clear();
-    for (const pairHistory& h : touching)
+    kept_ = touching;
+    valid_ = false;
+}
+
+
+void Foam::dem::verletList::give(sweepData& data, const bool onTrial)
+{
+    if (onTrial && trial_.touched.size() != now_.touched.size())
     {
-        pairs_.append(h.pair);
-        xi_.append(h.xi);
-        touching_.append(true);
-        if (periodic())
-        {
-            image_.append(h.image);
-        }
+        trial_ = now_;
     }
-    built_.clear();
+    onTrial_ = onTrial;
+    memory& next = onTrial ? trial_ : now_;
+
+    data.nBlocks = label(now_.touched.size());
+    data.firstImage = nPlainBlocks_;
+    data.i = i_.data();
+    data.j = j_.data();
+    data.image = image_.data();
+    data.shift = period_.shiftData();
+    data.xiOld = now_.xi.data();
+    data.xi = next.xi.data();
+    data.rateOld = now_.rate.data();
+    data.rate = next.rate.data();
+    data.touchedOld = now_.touched.data();
+    data.touched = next.touched.data();
+}
+
+
+void Foam::dem::verletList::accept()
+{
+    if (onTrial_)
+    {
+        std::swap(now_, trial_);
+        onTrial_ = false;
+    }
 }
 
 

@@ -49,73 +49,106 @@ Foam::dem::hadesStep::hadesStep(const dictionary& dict)
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::dem::stepChoice Foam::dem::hadesStep::propose
+Foam::dem::stepChoice Foam::dem::hadesStep::byDisplacement
 (
-    const bodies& state,
-    const contactSummary& contacts
+    const packedBodies& state,
+    const scalar wallSpeed,
+    const scalar bound
 ) const
 {
-    stepChoice choice{maxDeltaT_, "maximum"};
-
-    forAll(state.x, b)
+    // speed dt + acceleration dt^2/2 = allowed
+    const auto stepOf =
+        [](const scalar speed, const scalar acceleration, const scalar allowed)
     {
-        // speed dt + acceleration dt^2/2 = allowed
-        const shape& s = state.shapeOf(b);
-        const scalar allowed = maxDisplacement_*s.minRadius();
-        const scalar speed =
-            mag(state.v[b]) + mag(state.omega[b])*s.boundingRadius()
-          + contacts.wallSpeed;
-        const scalar acceleration = mag(state.forceWithDrag(b))/state.mass[b];
-        const scalar dt =
+        return
             2*allowed
            /max
             (
                 speed + sqrt(sqr(speed) + 2*acceleration*allowed),
                 VSMALL
             );
-        if (safety_*dt < choice.dt)
+    };
+
+    // One for all, with the acceleration of the last step
+    const packedBodies::motion& m = state.bounds();
+    stepChoice choice{maxDeltaT_, "maximum"};
+    if (m.acceleration > 0)
+    {
+        const scalar dt = safety_*stepOf
+        (
+            m.speed + m.turning + wallSpeed,
+            m.acceleration,
+            maxDisplacement_*state.minRadius()
+        );
+        if (dt > min(bound, maxDeltaT_))
         {
-            choice = stepChoice{safety_*dt, "displacement", b};
+            return choice;
         }
     }
 
-    if (safety_*contacts.duration < contactSteps_*choice.dt)
+    for (label b = 0; b < state.size(); ++b)
     {
-        choice = stepChoice
+        const scalar dt = safety_*stepOf
+        (
+            mag(state.velocity(b)) + state.turning(b) + wallSpeed,
+            mag(state.acceleration(b)),
+            maxDisplacement_*state.minRadius(b)
+        );
+        if (dt < choice.dt)
         {
-            safety_*contacts.duration/contactSteps_,
-            "contact",
-            contacts.stiffA
-        };
+            choice = stepChoice{dt, "displacement", b};
+        }
     }
+    return choice;
+}
 
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::dem::stepChoice Foam::dem::hadesStep::propose
+(
+    const packedBodies& state,
+    const contactSummary& contacts
+) const
+{
+    const scalar inContact = safety_*contacts.duration/contactSteps_;
+    stepChoice choice =
+        byDisplacement(state, contacts.wallSpeed, min(inContact, ceiling_));
+
+    if (inContact < choice.dt)
+    {
+        choice = stepChoice{inContact, "contact", contacts.stiffA};
+    }
     if (ceiling_ < choice.dt)
     {
         choice = stepChoice{ceiling_, "growth", ceilingBody_};
     }
-
     return choice;
 }
 
 
 bool Foam::dem::hadesStep::acceptMove
 (
-    const bodies& state,
-    const UList<point>& oldX,
+    const packedBodies& state,
     const scalar dt
 )
 {
+    const packedBodies::motion& m = state.bounds();
+    if ((m.speed + m.turning)*dt <= maxDisplacement_*state.minRadius())
+    {
+        return true;
+    }
+
     scalar worst = 0;
     label body = -1;
-    forAll(state.x, b)
+    for (label b = 0; b < state.size(); ++b)
     {
-        const shape& s = state.shapeOf(b);
         const scalar moved =
-            mag(state.x[b] - oldX[b])
-          + mag(state.omegaHalf[b])*dt*s.boundingRadius();
-        const scalar part = moved/(maxDisplacement_*s.minRadius());
+            mag(state.position(b) - state.oldPosition(b))
+          + state.turning(b)*dt;
+        const scalar part = moved/(maxDisplacement_*state.minRadius(b));
 
         // NaN is the worst of all
         if (!(part <= worst))

@@ -129,22 +129,23 @@ void Foam::dem::wallSet::bequeath
     {
         trial_[heir].likeness = best;
         trial_[heir].xi = old.xi;
+        std::copy(old.rate, old.rate + 4, trial_[heir].rate);
     }
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::dem::wallSet::build(const bodies& state, const scalar skin)
+void Foam::dem::wallSet::build(const packedBodies& state, const scalar skin)
 {
     near_.clear();
     builtT_ = t_;
     renewed_ = false;
 
-    forAll(state.sphereX, s)
+    for (label s = 0; s < state.nSpheres(); ++s)
     {
-        const point& c = state.sphereX[s];
-        const scalar reach = state.sphereR[s] + skin;
+        const point c = state.centre(s);
+        const scalar reach = state.radius(s) + skin;
 
         findNear(s, periodicity::original, c, reach);
         period_.forEachImage
@@ -187,7 +188,7 @@ void Foam::dem::wallSet::touching
 }
 
 
-void Foam::dem::wallSet::findTouches(const bodies& state)
+void Foam::dem::wallSet::findTouches(const packedBodies& state)
 {
     trial_.clear();
 
@@ -206,12 +207,12 @@ void Foam::dem::wallSet::findTouches(const bodies& state)
         t.likeness = 0;
         const scalar d = w.nearest
         (
-            state.sphereX[n.sphere] + shift,
+            state.centre(n.sphere) + shift,
             n.element,
             t.p,
             t.n
         );
-        t.overlap = state.sphereR[n.sphere] - d;
+        t.overlap = state.radius(n.sphere) - d;
         if (t.overlap > 0)
         {
             if (w.moving())
@@ -227,7 +228,7 @@ void Foam::dem::wallSet::findTouches(const bodies& state)
         {
             if (found.size())
             {
-                select(found, state.sphereR[n.sphere]);
+                select(found, state.radius(n.sphere));
             }
             found.clear();
         }

@@ -1,0 +1,563 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "packedBodies.H"
+#include "rotation.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+using dem::quad;
+
+// Nothing here is called from another file
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+//- Four numbers at once; the compiler makes of it what the processor has
+typedef double four __attribute__((vector_size(32)));
+
+inline four in(const quad& q)
+{
+    four a;
+    __builtin_memcpy(&a, &q, sizeof(a));
+    return a;
+}
+
+inline void out(quad& q, const four a)
+{
+    __builtin_memcpy(&q, &a, sizeof(a));
+}
+
+inline quad record(const vector& v, const scalar w)
+{
+    return quad{v.x(), v.y(), v.z(), w};
+}
+
+inline vector vectorOf(const quad& q)
+{
+    return vector(q.x, q.y, q.z);
+}
+
+inline double square(const four a)
+{
+    const four s = a*a;
+    return s[0] + s[1] + s[2];
+}
+
+//- 1/m of a sphere times this is r^2/I: what turns its surface
+const scalar surface = 2.5;
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::dem::packedBodies::packSingle(const bodies& state, const label b)
+{
+    const label s = state.firstSphere[b];
+    const scalar r = state.sphereR[s];
+
+    place_[b] = -1 - s;
+    now_.x[s] = record(state.x[b], 1/state.mass[b]);
+    now_.v[s] = record(state.v[b], r);
+    now_.w[s] = record(r*state.omega[b], r);
+}
+
+
+void Foam::dem::packedBodies::packClump(const bodies& state, const label b)
+{
+    clump c;
+    c.body = b;
+    c.first = state.firstSphere[b];
+    c.last = state.firstSphere[b + 1];
+    c.form = &state.shapeOf(b);
+    c.mass = state.mass[b];
+    c.inertia = state.inertia[b];
+    c.x = state.x[b];
+    c.v = state.v[b];
+    c.q = state.q[b];
+    c.L = state.L[b];
+    c.omega = state.omega[b];
+
+    for (label s = c.first; s < c.last; ++s)
+    {
+        now_.x[s].w = 1/c.mass;
+        now_.v[s].w = state.sphereR[s];
+        now_.w[s].w = state.sphereR[s];
+    }
+    const tensor R = c.q.R();
+    spread(c, R, R);
+
+    place_[b] = label(clumps_.size());
+    clumps_.push_back(c);
+}
+
+
+void Foam::dem::packedBodies::hold(const bodies& state)
+{
+    bool any = false;
+    forAll(state.x, b)
+    {
+        any =
+            any
+         || state.fluidForce[b] != vector(Zero)
+         || state.fluidTorque[b] != vector(Zero);
+    }
+    heldForce_.clear();
+    heldTorque_.clear();
+    clumpForce_.assign(clumps_.size(), vector(Zero));
+    clumpTorque_ = clumpForce_;
+    if (!any)
+    {
+        return;
+    }
+
+    heldForce_.assign(nSpheres_, quad{0, 0, 0, 0});
+    heldTorque_ = heldForce_;
+    forAll(state.x, b)
+    {
+        if (place_[b] >= 0)
+        {
+            clumpForce_[place_[b]] = state.fluidForce[b];
+            clumpTorque_[place_[b]] = state.fluidTorque[b];
+            continue;
+        }
+        const label s = -1 - place_[b];
+        heldForce_[s] = record(state.fluidForce[b], 0);
+        heldTorque_[s] = record(state.fluidTorque[b]/now_.v[s].w, 0);
+    }
+}
+
+
+void Foam::dem::packedBodies::spread
+(
+    const clump& c,
+    const tensor& R0,
+    const tensor& R
+)
+{
+    const pointField& centres = c.form->centres();
+
+    for (label s = c.first; s < c.last; ++s)
+    {
+        const point& p = centres[s - c.first];
+        const vector arm = R & p;
+
+        // Half way, where the velocities are
+        const vector middle = 0.5*((R0 & p) + arm);
+
+        const scalar r = now_.v[s].w;
+        now_.x[s] = record(c.x + arm, now_.x[s].w);
+        now_.v[s] = record(c.v + (c.omega ^ middle), r);
+        now_.w[s] = record(r*c.omega, r);
+    }
+}
+
+
+void Foam::dem::packedBodies::collect
+(
+    const records& r,
+    const label k,
+    const clump& c,
+    vector& F,
+    vector& T
+) const
+{
+    F = clumpForce_[k];
+    T = clumpTorque_[k];
+    for (label s = c.first; s < c.last; ++s)
+    {
+        const vector f = vectorOf(r.f[s]);
+        F += f;
+        T += ((vectorOf(r.x[s]) - c.x) ^ f) + r.v[s].w*vectorOf(r.t[s]);
+    }
+}
+
+
+Foam::vector Foam::dem::packedBodies::kicked
+(
+    const label b,
+    const vector& v,
+    const vector& a,
+    const scalar pending,
+    const scalar h
+) const
+{
+    if (!drag_)
+    {
+        return v + (pending + h)*a;
+    }
+
+    // One after the other, as the drag follows the velocity
+    const vector now = pending > 0 ? v + drag_->kick(b, v, a, pending) : v;
+    return h > 0 ? now + drag_->kick(b, now, a, h) : now;
+}
+
+
+void Foam::dem::packedBodies::leapSingles
+(
+    const records& from,
+    const scalar dt
+)
+{
+    const scalar h = pending_ + 0.5*dt;
+    const four g = {g_.x(), g_.y(), g_.z(), 0};
+    const four step = {dt, dt, dt, 0};
+    const four zero = {};
+    const bool held = !heldForce_.empty();
+
+    double speed = 0, turning = 0, acceleration = 0;
+    const label n = nSingles();
+    for (label k = 0; k < n; ++k)
+    {
+        const label s = singleSphere(k);
+        const four x = in(from.x[s]);
+        const four a = g + x[3]*in(from.f[s]);
+        four v = in(from.v[s]);
+
+        if (drag_)
+        {
+            const vector moved = kicked
+            (
+                singleBody(k),
+                vector(v[0], v[1], v[2]),
+                vector(a[0], a[1], a[2]),
+                pending_,
+                0.5*dt
+            );
+            v = four{moved.x(), moved.y(), moved.z(), v[3]};
+        }
+        else
+        {
+            v += h*a;
+        }
+        const four w = in(from.w[s]) + (surface*h*x[3])*in(from.t[s]);
+
+        out(now_.x[s], x + step*v);
+        out(now_.v[s], v);
+        out(now_.w[s], w);
+        out(now_.f[s], held ? in(heldForce_[s]) : zero);
+        out(now_.t[s], held ? in(heldTorque_[s]) : zero);
+
+        speed = max(speed, square(v));
+        turning = max(turning, square(w));
+        acceleration = max(acceleration, square(a));
+    }
+
+    motion_.speed = max(motion_.speed, sqrt(speed));
+    motion_.turning = max(motion_.turning, sqrt(turning));
+    motion_.acceleration = max(motion_.acceleration, sqrt(acceleration));
+}
+
+
+void Foam::dem::packedBodies::leapClumps
+(
+    const records& from,
+    const std::vector<clump>& clumps,
+    const scalar dt
+)
+{
+    const label n = label(clumps.size());
+    for (label k = 0; k < n; ++k)
+    {
+        clump c = clumps[k];
+        vector F, T;
+        collect(from, k, c, F, T);
+
+        const vector a = g_ + F/c.mass;
+        c.v = kicked(c.body, c.v, a, pending_, 0.5*dt);
+        c.L += (pending_ + 0.5*dt)*T;
+        c.x += dt*c.v;
+
+        const tensor R0 = c.q.R();
+        const vector before = angularVelocity(c.q, c.L, c.inertia);
+        turn(c.q, c.L, c.inertia, dt);
+        c.omega = 0.5*(before + angularVelocity(c.q, c.L, c.inertia));
+
+        for (label s = c.first; s < c.last; ++s)
+        {
+            now_.x[s].w = from.x[s].w;
+            now_.v[s].w = from.v[s].w;
+            now_.w[s].w = from.w[s].w;
+            now_.f[s] = now_.t[s] = quad{0, 0, 0, 0};
+        }
+        spread(c, R0, c.q.R());
+        clumps_[k] = c;
+
+        motion_.speed = max(motion_.speed, mag(c.v));
+        motion_.turning =
+            max(motion_.turning, mag(c.omega)*c.form->boundingRadius());
+        motion_.acceleration = max(motion_.acceleration, mag(a));
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dem::packedBodies::pack(const bodies& state, const vector& g)
+{
+    state_ = &state;
+    nBodies_ = state.size();
+    nSpheres_ = state.nSpheres();
+    g_ = g;
+    drag_ = state.drag;
+    pending_ = 0;
+    motion_ = motion();
+
+    // The two that fill up are 1 m apart
+    const quad filler{0, 0, 0, 1};
+    const quad zero{0, 0, 0, 0};
+    const label n = nSpheres_ + 2;
+    now_.x.assign(n, filler);
+    now_.x[n - 1].x = 1;
+    for (auto* list : {&now_.v, &now_.w, &now_.f, &now_.t})
+    {
+        list->assign(n, zero);
+    }
+
+    clumps_.clear();
+    single_.clear();
+    singleBody_.clear();
+    place_.resize(nBodies_);
+
+    allSingle_ = nSpheres_ == nBodies_;
+    bool oneMaterial = true;
+    for (label b = 0; b < nBodies_; ++b)
+    {
+        oneMaterial = oneMaterial && state.materialI[b] == 0;
+        if (!state.shapeOf(b).isSphere())
+        {
+            packClump(state, b);
+            continue;
+        }
+        packSingle(state, b);
+        if (!allSingle_)
+        {
+            single_.push_back(state.firstSphere[b]);
+            singleBody_.push_back(b);
+        }
+    }
+
+    material_.clear();
+    if (!oneMaterial)
+    {
+        material_.assign(n, 0);
+        forAll(state.sphereBody, s)
+        {
+            material_[s] = state.materialI[state.sphereBody[s]];
+        }
+    }
+
+    minRadius_ = nSpheres_ ? min(state.sphereR) : 0;
+    hold(state);
+    clearForces();
+}
+
+
+void Foam::dem::packedBodies::unpackPositions(bodies& state) const
+{
+    for (label s = 0; s < nSpheres_; ++s)
+    {
+        state.sphereX[s] = centre(s);
+    }
+    for (label b = 0; b < nBodies_; ++b)
+    {
+        state.x[b] = position(b);
+    }
+    for (const clump& c : clumps_)
+    {
+        state.q[c.body] = c.q;
+    }
+}
+
+
+void Foam::dem::packedBodies::unpack(bodies& state) const
+{
+    unpackPositions(state);
+
+    const label n = nSingles();
+    for (label k = 0; k < n; ++k)
+    {
+        const label s = singleSphere(k);
+        const label b = singleBody(k);
+        const vector f = vectorOf(now_.f[s]);
+        const vector t = vectorOf(now_.t[s]);
+        const scalar mInverse = now_.x[s].w;
+        const scalar r = now_.v[s].w;
+
+        state.force[b] = f + state.mass[b]*g_;
+        state.torque[b] = r*t;
+        state.v[b] =
+            kicked(b, vectorOf(now_.v[s]), g_ + mInverse*f, pending_, 0);
+        state.omega[b] =
+            (vectorOf(now_.w[s]) + (surface*pending_*mInverse)*t)/r;
+        state.L[b] = state.inertia[b].x()*state.omega[b];
+    }
+
+    for (label k = 0; k < label(clumps_.size()); ++k)
+    {
+        const clump& c = clumps_[k];
+        vector F, T;
+        collect(now_, k, c, F, T);
+
+        state.force[c.body] = F + c.mass*g_;
+        state.torque[c.body] = T;
+        state.v[c.body] = kicked(c.body, c.v, g_ + F/c.mass, pending_, 0);
+        state.L[c.body] = c.L + pending_*T;
+        state.omega[c.body] =
+            angularVelocity(c.q, state.L[c.body], c.inertia);
+    }
+}
+
+
+void Foam::dem::packedBodies::setPositions(const bodies& state)
+{
+    for (label s = 0; s < nSpheres_; ++s)
+    {
+        now_.x[s] = record(state.sphereX[s], now_.x[s].w);
+    }
+    for (clump& c : clumps_)
+    {
+        c.x = state.x[c.body];
+    }
+}
+
+
+void Foam::dem::packedBodies::leap(const scalar dt, const bool trial)
+{
+    oldPending_ = pending_;
+    motion_ = motion();
+
+    if (trial)
+    {
+        for (auto list : {&records::x, &records::v, &records::w,
+            &records::f, &records::t})
+        {
+            std::swap(now_.*list, old_.*list);
+            if ((now_.*list).size() != (old_.*list).size())
+            {
+                now_.*list = old_.*list;
+            }
+        }
+        std::swap(clumps_, oldClumps_);
+        clumps_.resize(oldClumps_.size());
+        leapSingles(old_, dt);
+        leapClumps(old_, oldClumps_, dt);
+
+        // The fillers
+        for (label s = nSpheres_; s < nSpheres_ + 2; ++s)
+        {
+            now_.x[s] = old_.x[s];
+            now_.v[s] = old_.v[s];
+            now_.w[s] = old_.w[s];
+        }
+    }
+    else
+    {
+        leapSingles(now_, dt);
+        leapClumps(now_, clumps_, dt);
+    }
+    pending_ = 0.5*dt;
+}
+
+
+void Foam::dem::packedBodies::undo()
+{
+    std::swap(now_, old_);
+    std::swap(clumps_, oldClumps_);
+    pending_ = oldPending_;
+}
+
+
+void Foam::dem::packedBodies::clearForces()
+{
+    const quad zero{0, 0, 0, 0};
+    now_.f.assign(now_.f.size(), zero);
+    now_.t.assign(now_.t.size(), zero);
+    if (!heldForce_.empty())
+    {
+        std::copy(heldForce_.begin(), heldForce_.end(), now_.f.begin());
+        std::copy(heldTorque_.begin(), heldTorque_.end(), now_.t.begin());
+    }
+}
+
+
+void Foam::dem::packedBodies::setForces(const bodies& state)
+{
+    for (label b = 0; b < nBodies_; ++b)
+    {
+        const vector F = state.force[b] - state.mass[b]*g_;
+        if (place_[b] < 0)
+        {
+            const label s = -1 - place_[b];
+            now_.f[s] = record(F, 0);
+            now_.t[s] = record(state.torque[b]/now_.v[s].w, 0);
+            continue;
+        }
+
+        // Its spheres have none
+        clumpForce_[place_[b]] = F;
+        clumpTorque_[place_[b]] = state.torque[b];
+    }
+}
+
+
+Foam::point Foam::dem::packedBodies::oldPosition(const label b) const
+{
+    const label p = place_[b];
+    return p >= 0 ? oldClumps_[p].x : vectorOf(old_.x[-1 - p]);
+}
+
+
+Foam::vector Foam::dem::packedBodies::velocity(const label b) const
+{
+    const label p = place_[b];
+    return p >= 0 ? clumps_[p].v : vectorOf(now_.v[-1 - p]);
+}
+
+
+Foam::scalar Foam::dem::packedBodies::turning(const label b) const
+{
+    const label p = place_[b];
+    return
+        p >= 0
+      ? mag(clumps_[p].omega)*clumps_[p].form->boundingRadius()
+      : mag(vectorOf(now_.w[-1 - p]));
+}
+
+
+Foam::vector Foam::dem::packedBodies::acceleration(const label b) const
+{
+    const label p = place_[b];
+    vector a;
+    if (p >= 0)
+    {
+        vector F, T;
+        collect(now_, p, clumps_[p], F, T);
+        a = g_ + F/clumps_[p].mass;
+    }
+    else
+    {
+        a = g_ + now_.x[-1 - p].w*vectorOf(now_.f[-1 - p]);
+    }
+    return drag_ ? a + drag_->acceleration(b, velocity(b)) : a;
+}
+
+
+Foam::scalar Foam::dem::packedBodies::minRadius(const label b) const
+{
+    const label p = place_[b];
+    return p >= 0 ? clumps_[p].form->minRadius() : now_.v[-1 - p].w;
+}
+
+
+// ************************************************************************* //

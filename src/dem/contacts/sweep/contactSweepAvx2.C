@@ -1,0 +1,29 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+Description
+    The sweep over the contacts for processors with AVX2 and FMA.
+
+\*---------------------------------------------------------------------------*/
+
+#pragma GCC target("avx2,fma")
+
+#define STYX_LANES 4
+#define STYX_INSTRUCTIONS avx2
+
+#include "contactSweep.H"
+
+const Foam::dem::sweepSet Foam::dem::sweepAvx2
+{
+    STYX_LANES,
+    &avx2::select,
+    avx2::normalLaws::hertz::duration
+};
+
+
+// ************************************************************************* //
