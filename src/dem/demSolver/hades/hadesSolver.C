@@ -189,35 +189,6 @@ Foam::dem::hadesSolver::hadesSolver(const demInput& input)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::dem::hadesSolver::enter(const scalar t)
-{
-    report_.nEntered = 0;
-
-    for (generator& g : generators_)
-    {
-        while (g.nEntered() < g.nDue(t))
-        {
-            newBody body;
-            const bool made = g.make
-            (
-                g.nEntered(),
-                [this](const newBody& n) { return hasRoom(n); },
-                body
-            );
-            if (!made)
-            {
-                Info<< "    generator " << g.name() << ": body "
-                    << g.nEntered() << " waits for room" << endl;
-                break;
-            }
-            state_.append(body);
-            g.setEntered(g.nEntered() + 1);
-            ++report_.nEntered;
-        }
-    }
-}
-
-
 void Foam::dem::hadesSolver::advance(const scalar t0, const scalar t1)
 {
     const label nEntered = report_.nEntered;
