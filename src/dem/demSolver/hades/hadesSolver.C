@@ -99,6 +99,7 @@ bool Foam::dem::hadesSolver::tryStep(const scalar t, const scalar dt)
             if (ok)
             {
                 computeForces(time, dtForce);
+                checkClosing(time);
                 ok = control_->acceptContacts(summary_, dt);
             }
         }
@@ -205,6 +206,7 @@ void Foam::dem::hadesSolver::advance(const scalar t0, const scalar t1)
     // The forces that are held have changed, perhaps the velocities too
     state_.vHalf = state_.v;
     state_.omegaHalf = state_.omega;
+    walls_.beginAdvance(t0, t1);
     computeForces(t0, 0);
     list_.accept();
     walls_.accept();

@@ -40,7 +40,7 @@ void Foam::dem::hadesSolver::checkOverlaps()
         return;
     }
 
-    computeForces(0, 0);
+    computeForces(input_.start, 0);
     report_.overlap = summary_.overlap;
 
     if (summary_.overlap > 1e-3)
@@ -60,6 +60,7 @@ void Foam::dem::hadesSolver::checkOverlaps()
 void Foam::dem::hadesSolver::enter(const scalar t)
 {
     report_.nEntered = 0;
+    walls_.moveTo(t);
 
     // Made when the first body asks for room
     autoPtr<roomGrid> grid;
