@@ -269,7 +269,7 @@ TEST(caseCheck, generators)
             }
         )
     );
-    EXPECT_NE(far.find("no mesh in the box of generator rain"),
+    EXPECT_NE(far.find("no mesh in the region of generator rain"),
         std::string::npos) << far;
 }
 

@@ -132,7 +132,8 @@ TEST(demFriction, slipTurns)
     c.contactRadius = sqrt(c.rStar*c.overlap);
     c.un = all(0);
     c.ut = c.way = vec{};
-    c.pair = sameInAll(pair);
+    const pairLanes pairs = sameInAll(pair);
+    c.pair = &pairs;
 
     for (const vector& axis : {vector(0, 0, 1), vector(1, 2, 0.5)})
     {

@@ -127,7 +127,7 @@ TEST(demInput, wrongChoice)
     spoil("type plane", "type wavy", {"wavy", "patch", "plane"});
     spoil("material board", "material bord", {"bord", "board", "rock"});
     spoil("shape ball", "shape bal", {"bal", "ball"});
-    spoil("type rate", "type flood", {"flood", "rate"});
+    spoil("type rate", "type flood", {"flood", "batch", "fill", "rate"});
 }
 
 

@@ -99,50 +99,54 @@ void Foam::caseCheck::collectPlans()
 {
     for (const dem::generatorPlan& plan : dem_.plans())
     {
-        kind& k = kindOf(plan.shapeI, plan.materialI);
-        k.nToCome += plan.total;
-        k.speed = max(k.speed, mag(plan.velocity));
-
-        // Cells in the box
-        const label n = 5;
-        boolList inside(n*n*n);
-        scalar largest = 0;
-        forAll(inside, i)
+        const scalar cell =
+            plan.where ? cellIn(plan)/scalar(1 << around_.levelsToCome) : GREAT;
+        for (const dem::generatorPlan::part& p : plan.parts)
         {
-            const vector part(i % n, (i/n) % n, i/(n*n));
-            const scalar h = cellAt
-            (
-                plan.low
-              + cmptMultiply(part/scalar(n - 1), plan.high - plan.low)
-            );
-            inside[i] = h < GREAT;
-            largest = max(largest, inside[i] ? h : 0);
+            kind& k = kindOf(p.shapeI, p.materialI);
+            k.nToCome += p.number;
+            k.speed = max(k.speed, plan.speed);
+            k.cell = min(k.cell, cell);
         }
-        dem::anyOverRanks(inside);
-        reduce(largest, maxOp<scalar>());
-        const label nInside =
-            std::count(inside.begin(), inside.end(), true);
-
-        sentence box;
-        box << "the box of generator " << plan.name << ", " << plan.low
-            << " to " << plan.high;
-        if (!nInside)
-        {
-            FatalErrorInFunction
-                << "There is no mesh in " << box.str().c_str() << '.' << nl
-                << "    The mesh is in the box " << mesh_.bounds() << '.'
-                << exit(FatalError);
-        }
-        if (nInside < inside.size())
-        {
-            advice_.append
-            (
-                "A part of " + box.str() + " lies outside of the mesh: bodies"
-                " that come there are taken out at once. Make it smaller."
-            );
-        }
-        k.cell = min(k.cell, largest/scalar(1 << around_.levelsToCome));
     }
+}
+
+
+Foam::scalar Foam::caseCheck::cellIn(const dem::generatorPlan& plan)
+{
+    const label n = 5;
+    boolList inside(n*n*n);
+    scalar largest = 0;
+    forAll(inside, i)
+    {
+        const vector part(i % n, (i/n) % n, i/(n*n));
+        const scalar h = cellAt(plan.where->at(part/scalar(n - 1)));
+        inside[i] = h < GREAT;
+        largest = max(largest, inside[i] ? h : 0);
+    }
+    dem::anyOverRanks(inside);
+    reduce(largest, maxOp<scalar>());
+    const label nInside = std::count(inside.begin(), inside.end(), true);
+
+    sentence where;
+    where << "the region of generator " << plan.name << ", "
+        << plan.where->low() << " to " << plan.where->high();
+    if (!nInside)
+    {
+        FatalErrorInFunction
+            << "There is no mesh in " << where.str().c_str() << '.' << nl
+            << "    The mesh is in the box " << mesh_.bounds() << '.'
+            << exit(FatalError);
+    }
+    if (nInside < inside.size())
+    {
+        advice_.append
+        (
+            "A part of " + where.str() + " lies outside of the mesh: bodies"
+            " that come there are taken out at once. Make it smaller."
+        );
+    }
+    return largest;
 }
 
 
@@ -298,8 +302,8 @@ void Foam::caseCheck::checkRoom()
             advice_.append
             (
                 "The next body of generator " + plans[i].name + " finds no"
-                " room in its box now: bodies or walls are in the way, or"
-                " the box is nearer to a wall than the body is large."
+                " room in its region now: bodies or walls are in the way, or"
+                " it is nearer to a wall than the body is large."
             );
         }
     }
@@ -325,13 +329,16 @@ Foam::caseCheck::caseCheck
     collectBodies();
     collectPlans();
 
-    label toCome = 0;
+    scalar toCome = 0;
     for (const kind& k : kinds_)
     {
         toCome += k.nToCome;
     }
     addFigure("bodies", dem.state().size(), "-", "bodies at the start");
-    addFigure("bodiesToCome", toCome, "-", "bodies that generators bring");
+    addFigure
+    (
+        "bodiesToCome", std::round(toCome), "-", "bodies that generators bring"
+    );
     if (kinds_.empty())
     {
         advice_.append("There is no body and no generator.");

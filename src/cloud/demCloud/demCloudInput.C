@@ -102,6 +102,7 @@ Foam::dem::demInput Foam::demCloud::solverInput()
         mesh_.time().rootPath()/mesh_.time().globalCaseName()
        /mesh_.time().constant();
     input.g = readGravity();
+    input.start = mesh_.time().value();
     input.period = patches_.period();
     input.patchTriangles =
         [this](const wordRes& names, const dictionary& d, const bool old)

@@ -313,16 +313,15 @@ void Foam::dem::packedBodies::pack(const bodies& state, const vector& g)
     pending_ = 0;
     motion_ = motion();
 
-    // The two that fill up are 1 m apart
-    const quad filler{0, 0, 0, 1};
-    const quad zero{0, 0, 0, 0};
+    // The two that fill up have a radius, as a sweep divides by it, but are
+    // too far from each other to touch
     const label n = nSpheres_ + 2;
-    now_.x.assign(n, filler);
+    now_.x.assign(n, quad{0, 0, 0, 1});
     now_.x[n - 1].x = 1;
-    for (auto* list : {&now_.v, &now_.w, &now_.f, &now_.t})
-    {
-        list->assign(n, zero);
-    }
+    now_.v.assign(n, quad{0, 0, 0, 0.1});
+    now_.w.assign(n, quad{0, 0, 0, 0.1});
+    now_.f.assign(n, quad{0, 0, 0, 0});
+    now_.t.assign(n, quad{0, 0, 0, 0});
 
     clumps_.clear();
     single_.clear();

@@ -112,6 +112,22 @@ Foam::vector Foam::dem::getFiniteVector
 }
 
 
+Foam::vector Foam::dem::getDirection
+(
+    const dictionary& dict,
+    const word& key
+)
+{
+    const vector value = getFiniteVector(dict, key);
+
+    if (mag(value) < SMALL)
+    {
+        badEntry(dict, key, "it has no length");
+    }
+    return value/mag(value);
+}
+
+
 Foam::scalar Foam::dem::getPositive(const dictionary& dict, const word& key)
 {
     const scalar value = getFinite(dict, key);

@@ -97,7 +97,7 @@ void Foam::dem::contactModel::giveWalls
     const label n = (touches.size() + W - 1)/W*W;
 
     wallBlocks& b = blocks_;
-    b.sphere.assign(n, state.nSpheres());
+    b.sphere.assign(n, 4*state.nSpheres());
     b.material.assign(n, 0);
     b.normal.assign(3*n, 0);
     b.overlap.assign(n, 0);
@@ -111,7 +111,7 @@ void Foam::dem::contactModel::giveWalls
     forAll(touches, k)
     {
         const wallTouch& t = touches[k];
-        b.sphere[k] = t.sphere;
+        b.sphere[k] = 4*t.sphere;
         b.material[k] = walls.walls()[t.wallI].materialI();
         b.overlap[k] = t.overlap;
         b.spin[k] = t.spin;
@@ -207,11 +207,11 @@ Foam::dem::contactSummary Foam::dem::contactModel::addForces
 
     sweepData data;
     packedBodies::records& r = state.spheres();
-    data.x = r.x.data();
-    data.v = r.v.data();
-    data.w = r.w.data();
-    data.f = r.f.data();
-    data.t = r.t.data();
+    data.x = &r.x[0].x;
+    data.v = &r.v[0].x;
+    data.w = &r.w[0].x;
+    data.f = &r.f[0].x;
+    data.t = &r.t[0].x;
     data.material = state.material();
     data.pairs = materials_.pairs().cdata();
     data.nMaterials = materials_.names().size();
@@ -240,7 +240,7 @@ Foam::dem::contactSummary Foam::dem::contactModel::addForces
     if (atWalls.overlap > pairs.overlap)
     {
         sum.overlap = atWalls.overlap;
-        sum.overlapA = bodyAt(blocks_.sphere[atWalls.overlapAt]);
+        sum.overlapA = bodyAt(blocks_.sphere[atWalls.overlapAt]/4);
         sum.overlapB = wallAt(atWalls.overlapAt);
     }
     else if (pairs.overlapAt >= 0)
@@ -253,7 +253,7 @@ Foam::dem::contactSummary Foam::dem::contactModel::addForces
     if (atWalls.frequency10 > pairs.frequency10)
     {
         sum.frequency10 = atWalls.frequency10;
-        sum.stiffA = bodyAt(blocks_.sphere[atWalls.stiffAt]);
+        sum.stiffA = bodyAt(blocks_.sphere[atWalls.stiffAt]/4);
         sum.stiffB = wallAt(atWalls.stiffAt);
     }
     else if (pairs.stiffAt >= 0)

@@ -106,6 +106,7 @@ bool Foam::dem::hadesSolver::tryStep(const scalar t, const scalar dt)
                 const packedBodies::motion& m = packed_.bounds();
                 list_.moved((m.speed + m.turning)*dt);
                 computeForces(time, dtForce, onTrial);
+                checkClosing(time);
                 ok = control_->acceptContacts(summary_, dt);
             }
         }
@@ -198,35 +199,6 @@ Foam::dem::hadesSolver::hadesSolver(const demInput& input)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::dem::hadesSolver::enter(const scalar t)
-{
-    report_.nEntered = 0;
-
-    for (generator& g : generators_)
-    {
-        while (g.nEntered() < g.nDue(t))
-        {
-            newBody body;
-            const bool made = g.make
-            (
-                g.nEntered(),
-                [this](const newBody& n) { return hasRoom(n); },
-                body
-            );
-            if (!made)
-            {
-                Info<< "    generator " << g.name() << ": body "
-                    << g.nEntered() << " waits for room" << endl;
-                break;
-            }
-            state_.append(body);
-            g.setEntered(g.nEntered() + 1);
-            ++report_.nEntered;
-        }
-    }
-}
-
-
 void Foam::dem::hadesSolver::advance(const scalar t0, const scalar t1)
 {
     const label nEntered = report_.nEntered;
@@ -241,6 +213,7 @@ void Foam::dem::hadesSolver::advance(const scalar t0, const scalar t1)
     checkFinite(t0);
 
     // The forces that are held have changed, perhaps the velocities too
+    walls_.beginAdvance(t0, t1);
     begin(t0);
 
     scalar t = t0;

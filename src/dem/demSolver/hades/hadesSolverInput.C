@@ -11,6 +11,7 @@ License
 #include "hadesSolver.H"
 #include "allowedKeys.H"
 #include "checkedEntry.H"
+#include "roomGrid.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -40,7 +41,7 @@ void Foam::dem::hadesSolver::checkOverlaps()
     }
 
     packed_.pack(state_, g());
-    computeForces(0, 0, true);
+    computeForces(input_.start, 0, true);
     report_.overlap = summary_.overlap;
 
     if (summary_.overlap > 1e-3)
@@ -55,52 +56,59 @@ void Foam::dem::hadesSolver::checkOverlaps()
 }
 
 
-bool Foam::dem::hadesSolver::hasRoom(const newBody& body) const
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dem::hadesSolver::enter(const scalar t)
 {
-    bodies trial(shapes_);
-    trial.append(body);
+    report_.nEntered = 0;
+    walls_.moveTo(t);
 
-    // No sphere of the body may touch one that is there, or an image of it
-    const auto touches = [this](const point& x, const scalar r)
-    {
-        forAll(state_.sphereX, j)
+    // Made when the first body asks for room
+    autoPtr<roomGrid> grid;
+    const generator::hasRoom room =
+        [&](const newBody& body)
         {
-            if (magSqr(x - state_.sphereX[j]) < sqr(r + state_.sphereR[j]))
+            if (!grid.valid())
             {
-                return true;
+                grid.reset(new roomGrid(state_, walls_, input_.period));
             }
+            return grid->hasRoom(body);
+        };
+
+    for (generator& g : generators_)
+    {
+        const label nBefore = g.nEntered();
+        const label nDue = g.nDue(t);
+        scalar volume = 0;
+        while (g.nEntered() < nDue)
+        {
+            newBody body;
+            const bool made = g.make(g.nEntered(), room, body);
+            if (made)
+            {
+                const label b = state_.append(body);
+                volume += state_.shapeOf(b).volume();
+                ++report_.nEntered;
+                if (grid.valid())
+                {
+                    grid->add(b);
+                }
+            }
+            else if (g.waits())
+            {
+                Info<< "    generator " << g.name() << ": body "
+                    << g.nEntered() << " waits for room" << endl;
+                break;
+            }
+            g.setEntered(g.nEntered() + 1, g.nLeftOut() + !made);
         }
-        return false;
-    };
-
-    const periodicity& period = input_.period;
-    forAll(trial.sphereX, i)
-    {
-        const point& x = trial.sphereX[i];
-        const scalar r = trial.sphereR[i];
-        bool full = touches(x, r);
-        period.forEachImage
-        (
-            x,
-            GREAT,
-            [&](const label image)
-            {
-                full = full || touches(x + period.shift(image), r);
-            }
-        );
-
-        DynamicList<label> elements;
-        walls_.touching(x, r, elements);
-        if (full || elements.size())
+        if (g.nEntered() > nBefore)
         {
-            return false;
+            g.report(Info, volume);
         }
     }
-    return true;
 }
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::List<Foam::dem::generatorPlan> Foam::dem::hadesSolver::plans() const
 {
@@ -115,13 +123,17 @@ Foam::List<Foam::dem::generatorPlan> Foam::dem::hadesSolver::plans() const
 
 bool Foam::dem::hadesSolver::hasRoomFor(const label i) const
 {
+    const generator& g = generators_[i];
     newBody body;
-    return generators_[i].make
-    (
-        generators_[i].nEntered(),
-        [this](const newBody& n) { return hasRoom(n); },
-        body
-    );
+    const roomGrid grid(state_, walls_, input_.period);
+    return
+        g.nEntered() >= g.plan().total
+     || g.make
+        (
+            g.nEntered(),
+            [&](const newBody& n) { return grid.hasRoom(n); },
+            body
+        );
 }
 
 

@@ -38,12 +38,14 @@ void Foam::dem::hadesSolver::setHistory(const contactHistory& history)
 
 void Foam::dem::hadesSolver::writeCounters(dictionary& dict) const
 {
-    dictionary entered;
+    dictionary entered, leftOut;
     for (const generator& g : generators_)
     {
         entered.add(g.name(), g.nEntered());
+        leftOut.add(g.name(), g.nLeftOut());
     }
     dict.add("entered", entered);
+    dict.add("leftOut", leftOut);
 
     dictionary step;
     control_->writeState(step);
@@ -55,11 +57,16 @@ void Foam::dem::hadesSolver::readCounters(const dictionary& dict)
 {
     // A generator that is new in the case starts with its first body
     const dictionary& entered = dict.subDict("entered");
+    const dictionary& leftOut = dict.subOrEmptyDict("leftOut");
     for (generator& g : generators_)
     {
         if (entered.found(g.name()))
         {
-            g.setEntered(entered.get<label>(g.name()));
+            g.setEntered
+            (
+                entered.get<label>(g.name()),
+                leftOut.getOrDefault<label>(g.name(), 0)
+            );
         }
     }
     control_->readState(dict.subDict("stepControl"));

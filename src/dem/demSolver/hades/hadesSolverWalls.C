@@ -11,6 +11,7 @@ License
 #include "hadesSolver.H"
 #include "allowedKeys.H"
 #include "checkedEntry.H"
+#include "movingWall.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -21,78 +22,78 @@ void Foam::dem::hadesSolver::readWalls()
         return;
     }
 
+    wordList types(wall::types());
+    types.append("patch");
+
     const dictionary& dict = input_.dict.subDict("walls");
     for (const word& name : dict.toc())
     {
         const dictionary& d = dict.subDict(name);
-        const word type = getChoice(d, "type", {"patch", "plane"});
+        const word type = getChoice(d, "type", types);
         const label materialI = materials_.find(d, "material");
 
-        if (type == "plane")
-        {
-            checkKeys(d, {"type", "material", "point", "normal"});
-            const vector normal = getFiniteVector(d, "normal");
-            if (mag(normal) < SMALL)
-            {
-                badEntry(d, "normal", "it has no length");
-            }
-            autoPtr<planeWall> w
-            (
-                new planeWall
-                (
-                    name,
-                    materialI,
-                    getFiniteVector(d, "point"),
-                    normal
-                )
-            );
-            checkSeams(*w, d);
-            walls_.append(autoPtr<wall>(w.ptr()));
-        }
-        else
-        {
-            checkKeys(d, {"type", "material", "patches"});
-            if (!input_.patchTriangles)
-            {
-                badEntry(d, "type", "there is no mesh whose patches to take");
-            }
-            walls_.append
-            (
-                autoPtr<wall>
-                (
-                    new triangleWall
-                    (
-                        name,
-                        materialI,
-                        input_.patchTriangles
-                        (
-                            d.getOrDefault<wordRes>("patches", wordRes()),
-                            d,
-                            false
-                        )
-                    )
-                )
-            );
-        }
+        autoPtr<wall> w
+        (
+            type == "patch"
+          ? readPatches(name, materialI, d)
+          : wall::New(name, materialI, d, input_.directory)
+        );
+        checkSeams(*w, d);
+        walls_.append(movingWall::New(std::move(w), d));
     }
+}
+
+
+Foam::autoPtr<Foam::dem::wall> Foam::dem::hadesSolver::readPatches
+(
+    const word& name,
+    const label materialI,
+    const dictionary& dict
+) const
+{
+    checkKeys
+    (
+        dict,
+        {"type", "material", "patches", "motion", "open", "close"}
+    );
+    if (!input_.patchTriangles)
+    {
+        badEntry(dict, "type", "there is no mesh whose patches to take");
+    }
+    return autoPtr<wall>
+    (
+        new triangleWall
+        (
+            name,
+            materialI,
+            input_.patchTriangles
+            (
+                dict.getOrDefault<wordRes>("patches", wordRes()),
+                dict,
+                false
+            )
+        )
+    );
 }
 
 
 void Foam::dem::hadesSolver::checkSeams
 (
-    const planeWall& w,
+    const wall& w,
     const dictionary& dict
 ) const
 {
     for (const periodicity::seam& s : input_.period.seams())
     {
-        if (mag(s.separation & w.normal()) > 1e-6*mag(s.separation))
+        if (!w.bounded() && !w.repeats(s.separation))
         {
             OStringStream why;
-            why << "is not across the separation " << s.separation
-                << " of cyclic patches: a plane does not end, so it would cut"
-                << " the seam. A wall of type patch may";
-            badEntry(dict, "normal", why.str());
+            why << "is " << w.type() << ", which does not end, but the normal"
+                << " of a plane must be across the separation " << s.separation
+                << " of cyclic patches, the axis of a cylinder along it, and"
+                << " the inside of a box or can has no place there: it would"
+                << " cut the seam. A rectangle, triSurface or patch may";
+            badEntry(dict, "type", why.str());
         }
     }
 }
@@ -119,6 +120,15 @@ void Foam::dem::hadesSolver::readMirrors()
 }
 
 
+bool Foam::dem::hadesSolver::ofMesh(const wall& w) const
+{
+    return
+        w.mirror()
+     || input_.dict.subDict("walls").subDict(w.name()).get<word>("type")
+     == "patch";
+}
+
+
 Foam::List<Foam::dem::corners> Foam::dem::hadesSolver::triangles
 (
     const wall& w,
@@ -140,6 +150,29 @@ Foam::List<Foam::dem::corners> Foam::dem::hadesSolver::triangles
 }
 
 
+void Foam::dem::hadesSolver::checkClosing(const scalar t)
+{
+    // As much as bodies may overlap at the start
+    if (const wallTouch* touch = walls_.inTheWay(state_.sphereR, 1e-3))
+    {
+        const label b = state_.sphereBody[touch->sphere];
+        if (control_->undoes())
+        {
+            packed_.undo();
+        }
+        packed_.unpack(state_);
+        stop
+        (
+            t,
+            "    " + nameOf(-1 - touch->wallI) + " appears where "
+          + nameOf(b) + " is, at " + shown(state_.x[b]) + ".\n"
+            "    Let it close when nothing is in its way, or let it move there"
+            " with a motion.\n"
+        );
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::dem::hadesSolver::updateWalls
@@ -151,14 +184,30 @@ void Foam::dem::hadesSolver::updateWalls
 {
     for (wall& w : walls_.change())
     {
-        triangleWall* patch = dynamic_cast<triangleWall*>(&w);
-        if (patch && moves)
+        if (!ofMesh(w))
         {
-            patch->setMotion(triangles(w, true), triangles(w, false), t0, t1);
+            continue;
         }
-        else if (patch)
+        movingWall* timed = dynamic_cast<movingWall*>(&w);
+        triangleWall& patch =
+            refCast<triangleWall>(timed ? timed->surface() : w);
+        if (moves)
         {
-            patch->set(triangles(w, false));
+            if (timed)
+            {
+                badEntry
+                (
+                    input_.dict.subDict("walls"),
+                    w.name(),
+                    "has patches of a mesh that moves, and a motion or a time"
+                    " of its own: only one of them can be"
+                );
+            }
+            patch.setMotion(triangles(w, true), triangles(w, false), t0, t1);
+        }
+        else
+        {
+            patch.set(triangles(w, false));
         }
     }
     walls_.renew();

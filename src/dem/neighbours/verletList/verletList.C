@@ -156,8 +156,8 @@ void Foam::dem::verletList::fill
     const label nBlocks =
         nPlainBlocks_ + (nImages_ + W - 1)/W;
 
-    i_.assign(nBlocks*W, nSpheres);
-    j_.assign(nBlocks*W, nSpheres + 1);
+    i_.assign(nBlocks*W, 4*nSpheres);
+    j_.assign(nBlocks*W, 4*(nSpheres + 1));
     image_.clear();
     if (periodic())
     {
@@ -171,8 +171,8 @@ void Foam::dem::verletList::fill
     {
         const label k = slot(p);
         const pairHistory& h = pairs[p];
-        i_[k] = h.pair.i;
-        j_[k] = h.pair.j;
+        i_[k] = 4*h.pair.i;
+        j_[k] = 4*h.pair.j;
         if (periodic())
         {
             image_[k] = h.image;

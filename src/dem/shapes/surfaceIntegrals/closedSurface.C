@@ -8,95 +8,9 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "closedSurface.H"
-#include "error.H"
-#include "OSspecific.H"
-#include "stlCheck.H"
-
-#include <cfenv>
+#include "surfaceFile.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-Foam::triSurface Foam::dem::closedSurface::read
-(
-    const fileName& file,
-    const scalar scale
-)
-{
-    if (!isFile(file))
-    {
-        FatalErrorInFunction
-            << "Surface " << file << " is missing" << exit(FatalError);
-    }
-
-    if (!triSurface::canRead(file))
-    {
-        FatalErrorInFunction
-            << "Surface " << file << " is of a kind that triSurface cannot "
-            << "read" << exit(FatalError);
-    }
-
-    // OpenFOAM's reader crashes on what is no STL file
-    if ((file.ext() == "stl" || file.ext() == "stlb") && isFile(file, false))
-    {
-        const string wrong(checkSTL(file));
-        if (!wrong.empty())
-        {
-            FatalErrorInFunction
-                << "Surface " << file << " is unreadable: " << wrong.c_str()
-                << exit(FatalError);
-        }
-    }
-
-    // A reader that meets NaN must not end in a floating-point trap: the
-    // checks find it afterwards
-    std::fenv_t traps;
-    std::feholdexcept(&traps);
-
-    // The readers' own errors do not name the file: add its name
-    const bool oldError = FatalError.throwExceptions();
-    const bool oldIOError = FatalIOError.throwExceptions();
-    triSurface surface;
-    string complaint;
-
-    try
-    {
-        surface = triSurface(file, scale);
-    }
-    catch (const Foam::error& e)
-    {
-        complaint = e.message();
-    }
-
-    FatalError.throwExceptions(oldError);
-    FatalIOError.throwExceptions(oldIOError);
-    std::fesetenv(&traps);
-
-    if (!complaint.empty())
-    {
-        FatalErrorInFunction
-            << "Surface " << file << " is unreadable: " << complaint.c_str()
-            << exit(FatalError);
-    }
-
-    // Nor do all readers look whether the corners of a triangle are there
-    for (const labelledTri& f : surface)
-    {
-        for (const label corner : f)
-        {
-            if (corner < 0 || corner >= surface.points().size())
-            {
-                FatalErrorInFunction
-                    << "Surface " << file << " is unreadable: a triangle has"
-                    << " corner number " << corner << ", but there are "
-                    << surface.points().size() << " points"
-                    << exit(FatalError);
-            }
-        }
-    }
-
-    return surface;
-}
-
 
 void Foam::dem::closedSurface::refuse
 (
@@ -105,12 +19,7 @@ void Foam::dem::closedSurface::refuse
     const point& where
 ) const
 {
-    if (n)
-    {
-        FatalErrorInFunction
-            << "Surface " << name_ << ' ' << what.c_str() << ": " << n
-            << " found, the first at " << where << exit(FatalError);
-    }
+    refuseSurface(name_, n, what, where);
 }
 
 
@@ -123,7 +32,7 @@ Foam::dem::closedSurface::closedSurface
 )
 :
     name_(file),
-    surface_(read(file, scale)),
+    surface_(readSurface(file, scale)),
     search_(surface_),
     properties_(check())
 {}

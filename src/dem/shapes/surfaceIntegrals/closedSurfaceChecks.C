@@ -8,11 +8,11 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "closedSurface.H"
-#include "checkedEntry.H"
 #include "boundBox.H"
 #include "error.H"
 #include "mathematicalConstants.H"
 #include "surfaceIntegrals.H"
+#include "surfaceFile.H"
 #include "surfaceScan.H"
 
 #include <cmath>
@@ -23,22 +23,6 @@ namespace
 {
 
 using namespace Foam;
-
-// Counts what is wrong and remembers where it was first
-struct finding
-{
-    label n = 0;
-    point where = Zero;
-
-    void add(const point& p)
-    {
-        if (!n++)
-        {
-            where = p;
-        }
-    }
-};
-
 
 // Solid angle of a triangle seen from p, over 4 pi: the sum over a closed
 // surface is 1 inside and 0 outside
@@ -66,62 +50,13 @@ scalar windingShare
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::dem::closedSurface::checkTriangles() const
-{
-    const pointField& points = surface_.points();
-
-    if (surface_.empty())
-    {
-        FatalErrorInFunction
-            << "Surface " << name_ << " holds no triangle" << exit(FatalError);
-    }
-
-    finding bad, degenerate;
-
-    for (const point& p : points)
-    {
-        if (!isFinite(p))
-        {
-            bad.add(p);
-        }
-    }
-    refuse
-    (
-        bad.n,
-        "has corners that are not finite (NaN), or 1e12 m away",
-        bad.where
-    );
-
-    for (const labelledTri& f : surface_)
-    {
-        const vector ab(points[f[1]] - points[f[0]]);
-        const vector bc(points[f[2]] - points[f[1]]);
-        const vector ca(points[f[0]] - points[f[2]]);
-        const scalar longest =
-            max(max(magSqr(ab), magSqr(bc)), magSqr(ca));
-
-        if (mag(ab ^ bc) <= 1e-10*longest)
-        {
-            degenerate.add(points[f[0]]);
-        }
-    }
-    refuse
-    (
-        degenerate.n,
-        "has degenerate triangles, without area or with a corner used twice"
-        " (surfaceClean may repair it)",
-        degenerate.where
-    );
-}
-
-
 void Foam::dem::closedSurface::checkEdges() const
 {
     const labelListList& edgeFaces = surface_.edgeFaces();
     const edgeList& edges = surface_.edges();
     const pointField& points = surface_.localPoints();
 
-    finding open, crowded, turned;
+    surfaceFinding open, crowded, turned;
 
     forAll(edges, e)
     {
@@ -264,7 +199,7 @@ void Foam::dem::closedSurface::checkWinding() const
 
 Foam::dem::massProperties Foam::dem::closedSurface::check() const
 {
-    checkTriangles();
+    checkTriangles(name_, surface_);
     checkEdges();
     checkIntersections();
     checkParts();

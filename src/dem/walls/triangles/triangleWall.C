@@ -347,6 +347,24 @@ Foam::scalar Foam::dem::triangleWall::nearest
 }
 
 
+Foam::scalar Foam::dem::triangleWall::farthest
+(
+    const point& origin,
+    const vector& axis
+) const
+{
+    scalar d = 0;
+    for (const corners& t : triangles_)
+    {
+        for (const point& p : t)
+        {
+            d = max(d, mag((p - origin) ^ axis));
+        }
+    }
+    return d;
+}
+
+
 Foam::vector Foam::dem::triangleWall::velocity
 (
     const label element,

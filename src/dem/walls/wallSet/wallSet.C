@@ -242,23 +242,83 @@ void Foam::dem::wallSet::renew()
 {
     renewed_ = true;
     speed_ = 0;
+    timed_ = false;
     for (const wall& w : walls_)
     {
         speed_ = max(speed_, w.speed());
+        timed_ = timed_ || w.timed();
     }
+}
+
+
+void Foam::dem::wallSet::beginAdvance(const scalar t0, const scalar t1)
+{
+    if (!timed_)
+    {
+        return;
+    }
+    const scalar old = speed_;
+    speed_ = 0;
+    for (wall& w : walls_)
+    {
+        w.beginAdvance(t0, t1);
+        speed_ = max(speed_, w.speed());
+    }
+    renewed_ = renewed_ || speed_ != old;
 }
 
 
 void Foam::dem::wallSet::moveTo(const scalar t)
 {
-    t_ = t;
-    if (speed_ > 0)
+    if (timed_)
     {
-        for (wall& w : walls_)
+        forAll(walls_, i)
         {
+            wall& w = walls_[i];
+            const bool there = w.present();
             w.moveTo(t);
+            if (w.present() == there)
+            {
+                continue;
+            }
+
+            renewed_ = true;
+            if (placed_ && w.present() && t > t_)
+            {
+                appeared_.insert(i);
+            }
+            else
+            {
+                appeared_.erase(i);
+            }
         }
     }
+    t_ = t;
+    placed_ = true;
+}
+
+
+const Foam::dem::wallTouch* Foam::dem::wallSet::inTheWay
+(
+    const UList<scalar>& radius,
+    const scalar part
+) const
+{
+    const wallTouch* deepest = nullptr;
+    if (appeared_.size())
+    {
+        scalar most = part;
+        for (const wallTouch& t : trial_)
+        {
+            const scalar depth = t.overlap/radius[t.sphere];
+            if (depth > most && appeared_.found(t.wallI))
+            {
+                most = depth;
+                deepest = &t;
+            }
+        }
+    }
+    return deepest;
 }
 
 
