@@ -14,10 +14,13 @@ Description
 
 #include "demCase.H"
 
+#include "planeWall.H"
+
 #include "Fstream.H"
 #include "OSspecific.H"
 
 #include <cmath>
+#include <ctime>
 #include <random>
 
 using namespace styxTest;
@@ -535,6 +538,62 @@ TEST(demWallTypes, manyTriangles)
         "triangles near a sphere",
         "a hundredth as many"
     );
+}
+
+
+TEST(demWallTypes, pairCostFull)
+{
+    // Figure "wallPairCost": a bed of 10,584 spheres of 2 mm that fills a box
+    // of 42 mm and presses on its five walls, the best of 20 sweeps
+    Foam::PtrList<shape> shapes(1);
+    shapes.set(0, new shape(shape::sphere("ball", 0.002)));
+    bodies state(shapes);
+    dice u(6);
+    for (label k = 0; k < 21*21*24; ++k)
+    {
+        newBody n;
+        n.shapeI = 0;
+        n.materialI = 0;
+        n.density = 1;
+        n.position =
+            2e-3*vector(k % 21 + 0.5, k/21 % 21 + 0.5, k/441 + 0.5)
+          + 1e-6*vector(u(), u(), u());
+        state.append(n);
+    }
+
+    wallSet walls;
+    for (const vector& n :
+        {
+            vector(1, 0, 0), vector(-1, 0, 0), vector(0, 1, 0),
+            vector(0, -1, 0), vector(0, 0, 1)
+        })
+    {
+        const scalar back = n.x() + n.y() < 0 ? 0.042 : 0;
+        walls.append
+        (
+            Foam::autoPtr<wall>(new planeWall("w", 0, -back*n, n))
+        );
+    }
+    walls.build(state, 2e-4);
+    const label nNear = 4*21*24 + 21*21;
+
+    scalar best = Foam::GREAT;
+    for (label k = 0; k < 20; ++k)
+    {
+        const std::clock_t start = std::clock();
+        for (label step = 0; step < 200; ++step)
+        {
+            walls.findTouches(state);
+            walls.accept();
+        }
+        best = std::min
+        (
+            best,
+            scalar(std::clock() - start)/CLOCKS_PER_SEC/200/nNear
+        );
+    }
+    EXPECT_GT(walls.touches().size(), nNear/3);
+    figure("wallPairCost", 1e9*best, 0, 25, "ns", "own bar");
 }
 
 
