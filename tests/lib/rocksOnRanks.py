@@ -7,7 +7,7 @@
 #     without any warranty. See the file COPYING.
 #
 # Description
-#     The tutorial fallingRocks, shortened to 100 fluid steps in which four
+#     The tutorial fallingRocks, shortened to 100 fluid steps in which three
 #     rocks come in, hit the pipe and each other, on several numbers of ranks.
 #         compareRanks("name", {2: "(2 1 1)"}, levels=1)
 #     The linear solvers are tight: what they leave is what the ranks differ by,
@@ -61,7 +61,7 @@ def prepare(case, levels):
     setEntry(case + "/system/controlDict", "endTime", end)
     setEntry(case + "/constant/dynamicMeshDict", "maxRefinement", str(levels))
     particles = case + "/constant/demCloudProperties"
-    for key, value in (("rate", "30"), ("total", "4"),
+    for key, value in (("rate", "30"), ("total", "3"),
                        ("velocity", "(0.6 0 -0.8)")):
         setEntry(particles, "generators/pipe/" + key, value)
 
@@ -83,7 +83,7 @@ def compareRanks(name, blocks, levels):
     lines = ledger(log)
 
     figure(name + "_steps", len(lines), 100, 100, "fluid steps", "0.2 s")
-    figure(name + "_rocks", len(expected), 4, 4, "rocks", "come in")
+    figure(name + "_rocks", len(expected), 3, 3, "rocks", "come in")
     figure(name + "_collisions", sum(
         b["contacts"] > a["contacts"] for a, b in zip(lines, lines[1:])),
         3, None, "times", "contacts begin")

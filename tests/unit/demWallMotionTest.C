@@ -432,6 +432,95 @@ TEST(demWallMotion, gateCloses)
 }
 
 
+TEST(demWallMotion, patchOfItsOwn)
+{
+    // A patch of a mesh at rest may move as any wall does, also after the mesh
+    // has got other faces; if the mesh moves as well that is an error
+    Foam::List<corners> floor(2);
+    floor[0][0] = floor[1][0] = point(-0.5, -0.5, 0);
+    floor[0][1] = point(0.5, -0.5, 0);
+    floor[0][2] = floor[1][1] = point(0.5, 0.5, 0);
+    floor[1][2] = point(-0.5, 0.5, 0);
+    demCase c
+    (
+        scene
+        (
+            "floor { type patch; material stuff;"
+            " motion { type translate; velocity (0 0 0.1); } }",
+            "shape ball; position (0.1 0.2 0.0049985);"
+        ),
+        gravity,
+        floor
+    );
+    c.run(0.1);
+    c.solver().updateWalls(false, c.time(), c.time());
+    c.run(0.1);
+    EXPECT_NEAR(c.state().x[0].z(), 0.025, 1e-5);
+    EXPECT_NEAR(c.state().v[0].z(), 0.1, 1e-6);
+
+    const std::string said = messageOf
+    (
+        [&]() { c.solver().updateWalls(true, c.time(), c.time() + 0.1); }
+    );
+    EXPECT_NE(said.find("mesh that moves"), std::string::npos) << said;
+}
+
+
+TEST(demWallMotion, intoPackedBed)
+{
+    // A piston that is driven into 8 balls between it and the floor, as far as
+    // a tenth of their radius: the forces stay finite and nothing is lost. As
+    // it draws back all come to rest
+    std::string bodies;
+    for (label k = 0; k < 8; ++k)
+    {
+        bodies +=
+            "b" + std::to_string(k) + " { shape ball; material stuff;"
+            " position " + text(vector(0, 0, 0.005 + 0.01*k)) + "; }\n";
+    }
+    demCase c
+    (
+        "demSolver hades;\n"
+        "materials { stuff { density 2500; youngsModulus 1e8;"
+        " poissonsRatio 0.3; } }\n"
+        "shapes { ball { type sphere; diameter 0.01; } }\n"
+        "pairs { stuff-stuff { restitution 0.2; friction 0.3; } }\n"
+        "stepControl { type hades; }\n"
+        "walls {\n"
+        "floor { type plane; point (0 0 0); normal (0 0 1);"
+        " material stuff; }\n"
+        "tube { type cylinder; point (0 0 0); axis (0 0 1); radius 0.0051;"
+        " side inside; material stuff; }\n"
+        "piston { type plane; point (0 0 0.0801); normal (0 0 -1);"
+        " material stuff; motion { type table; displacements ((0 (0 0 0))"
+        " (0.1 (0 0 -0.0045)) (0.2 (0 0 0))); } } }\n"
+        "bodies {\n" + bodies + "}\n",
+        gravity
+    );
+    c.run(0.1);
+    scalar squeezed = 0;
+    for (label k = 0; k < 8; ++k)
+    {
+        squeezed = std::max(squeezed, mag(c.state().force[k]));
+    }
+    EXPECT_GT(c.solver().report().overlap, 0.05);
+    EXPECT_LT(c.solver().report().overlap, 0.2);
+    c.run(1);
+    scalar fastest = 0;
+    scalar top = 0;
+    for (label k = 0; k < 8; ++k)
+    {
+        const point& x = c.state().x[k];
+        fastest = std::max(fastest, mag(c.state().v[k]));
+        top = std::max(top, x.z());
+        EXPECT_LT(std::hypot(x.x(), x.y()), 2e-4);
+    }
+    figure("piston_bed", top, 0.0745, 0.0751, "m", "the eighth ball is back");
+    EXPECT_LT(fastest, 1e-3);
+    EXPECT_TRUE(std::isfinite(squeezed));
+}
+
+
 TEST(demWallMotion, throughTheSteps)
 {
     // A piston that starts to move amid a long step of the fluid does not jump

@@ -14,10 +14,13 @@ Description
 
 #include "demCase.H"
 
+#include "planeWall.H"
+
 #include "Fstream.H"
 #include "OSspecific.H"
 
 #include <cmath>
+#include <ctime>
 #include <random>
 
 using namespace styxTest;
@@ -174,6 +177,22 @@ void writeSTL(const Foam::fileName& file, const Foam::List<corners>& triangles)
         os << "endloop" << Foam::nl << "endfacet" << Foam::nl;
     }
     os << "endsolid s" << Foam::nl;
+}
+
+
+//- Write triangles as an OBJ file, which has all digits
+void writeOBJ(const Foam::fileName& file, const Foam::List<corners>& triangles)
+{
+    Foam::OFstream os(file);
+    forAll(triangles, t)
+    {
+        for (const point& p : triangles[t])
+        {
+            os << "v " << text(p.x()).c_str() << ' ' << text(p.y()).c_str()
+                << ' ' << text(p.z()).c_str() << Foam::nl;
+        }
+        os << "f " << 3*t + 1 << ' ' << 3*t + 2 << ' ' << 3*t + 3 << Foam::nl;
+    }
 }
 
 
@@ -389,8 +408,9 @@ TEST(demWallTypes, cylinder)
 
 TEST(demWallTypes, seamsOfFile)
 {
-    // Figures "wallSeams_stl_sliding", "wallSeams_stl_rolling"
-    writeSTL(folder()/"floor.stl", squares(40, 100));
+    // Figures "wallSeams_stl_sliding", "wallSeams_stl_rolling" on a floor;
+    // "wallSeams_obj_sliding", "wallSeams_obj_rolling" down a slope of 15
+    // degrees, whose digits do not fit into an STL file
     const scalar weight = 2500*M_PI/6*1e-6*9.81;
     const std::string more
     (
@@ -400,56 +420,83 @@ TEST(demWallTypes, seamsOfFile)
     const auto inFolder =
         [](demInput& input) { input.directory = "demWallTypes"; };
 
-    for (const bool rolls : {false, true})
+    for (const std::string& kind : {"stl", "obj"})
     {
-        // Over five seams in x and two in y
-        const std::string start
-        (
-            std::string("position (-0.083 -0.031 0.00499988);")
-          + (
-                rolls
-              ? "velocity (0.4 0.1 0); angularVelocity (-20 80 0);"
-              : "velocity (0.8 0.34 0);"
-            )
-        );
-        demCase plane
-        (
-            ball("type plane; point (0 0 0); normal (0 0 1);", start, more),
-            gravity
-        );
-        demCase file
-        (
-            ball
-            (
-                "type triSurface; file \"floor.stl\"; scale 0.001;",
-                start,
-                more
-            ),
-            gravity,
-            Foam::List<corners>(),
-            inFolder
-        );
-        scalar kick = 0;
-        for (label k = 0; k < 3500; ++k)
+        const bool slope = kind == "obj";
+        const scalar angle = slope ? M_PI/12 : 0;
+        const vector x(std::cos(angle), 0, -std::sin(angle));
+        const vector y(0, 1, 0);
+        const vector n(std::sin(angle), 0, std::cos(angle));
+
+        Foam::List<corners> floor(squares(40, 100));
+        for (corners& t : floor)
         {
-            plane.run(2e-5);
-            file.run(2e-5);
-            kick = std::max
-            (
-                kick,
-                mag(plane.state().force[0] - file.state().force[0])
-            );
-            ASSERT_EQ(file.solver().report().nContacts, 1);
+            for (point& p : t)
+            {
+                p = p.x()*x + p.y()*y;
+            }
         }
-        figure
-        (
-            std::string("wallSeams_stl_") + (rolls ? "rolling" : "sliding"),
-            kick/weight,
-            0,
-            1e-6,
-            "weights",
-            "the same on a plane"
-        );
+        const Foam::fileName file(folder()/("floor." + kind));
+        slope ? writeOBJ(file, floor) : writeSTL(file, floor);
+
+        for (const bool rolls : {false, true})
+        {
+            // Over seams in x and in y
+            const std::string start
+            (
+                "position " + text(-0.083*x - 0.031*y + 0.00499988*n) + "; "
+              + (
+                    rolls
+                  ? "velocity " + text(0.4*x + 0.1*y)
+                  + "; angularVelocity " + text(-20*x + 80*y) + ";"
+                  : "velocity " + text(0.8*x + 0.34*y) + ";"
+                )
+            );
+            demCase plane
+            (
+                ball
+                (
+                    "type plane; point (0 0 0); normal " + text(n) + ";",
+                    start,
+                    more
+                ),
+                gravity
+            );
+            demCase tiled
+            (
+                ball
+                (
+                    "type triSurface; file \"floor." + kind
+                  + "\"; scale 0.001;",
+                    start,
+                    more
+                ),
+                gravity,
+                Foam::List<corners>(),
+                inFolder
+            );
+            scalar kick = 0;
+            for (label k = 0; k < 3500; ++k)
+            {
+                plane.run(2e-5);
+                tiled.run(2e-5);
+                kick = std::max
+                (
+                    kick,
+                    mag(plane.state().force[0] - tiled.state().force[0])
+                );
+                ASSERT_EQ(tiled.solver().report().nContacts, 1);
+            }
+            figure
+            (
+                "wallSeams_" + kind + (rolls ? "_rolling" : "_sliding"),
+                kick/weight,
+                0,
+                1e-6,
+                "weights",
+                "the same on a plane"
+            );
+        }
     }
 }
 
@@ -535,6 +582,63 @@ TEST(demWallTypes, manyTriangles)
         "triangles near a sphere",
         "a hundredth as many"
     );
+}
+
+
+TEST(demWallTypes, pairCostFull)
+{
+    // Figure "wallPairCost": a bed of 10,584 spheres of 2 mm that fills a box
+    // of 42 mm and presses on its five walls, the best of 20 sweeps
+    Foam::PtrList<shape> shapes(1);
+    shapes.set(0, new shape(shape::sphere("ball", 0.002)));
+    bodies state(shapes);
+    dice u(6);
+    for (label k = 0; k < 21*21*24; ++k)
+    {
+        newBody n;
+        n.shapeI = 0;
+        n.materialI = 0;
+        n.density = 1;
+        n.position =
+            2e-3*vector(k % 21 + 0.5, k/21 % 21 + 0.5, k/441 + 0.5)
+          + 1e-6*vector(u(), u(), u());
+        state.append(n);
+    }
+
+    wallSet walls;
+    for (const vector& n :
+        {
+            vector(1, 0, 0), vector(-1, 0, 0), vector(0, 1, 0),
+            vector(0, -1, 0), vector(0, 0, 1)
+        })
+    {
+        const scalar back = n.x() + n.y() < 0 ? 0.042 : 0;
+        walls.append
+        (
+            Foam::autoPtr<wall>(new planeWall("w", 0, -back*n, n))
+        );
+    }
+    const packedBodies packed(state);
+    walls.build(packed, 2e-4);
+    const label nNear = 4*21*24 + 21*21;
+
+    scalar best = Foam::GREAT;
+    for (label k = 0; k < 20; ++k)
+    {
+        const std::clock_t start = std::clock();
+        for (label step = 0; step < 200; ++step)
+        {
+            walls.findTouches(packed);
+            walls.accept();
+        }
+        best = std::min
+        (
+            best,
+            scalar(std::clock() - start)/CLOCKS_PER_SEC/200/nNear
+        );
+    }
+    EXPECT_GT(walls.touches().size(), nNear/3);
+    figure("wallPairCost", 1e9*best, 0, 25, "ns", "own bar");
 }
 
 

@@ -226,7 +226,9 @@ void Foam::caseCheck::checkSizes()
         bool used = false;
         for (const kind& k : kinds_)
         {
-            used = used || k.shapeI == i;
+            used =
+                used || k.shapeI == i
+             || shapeOf(k).ofName() == dem_.shapes()[i].name();
         }
         if (!used)
         {

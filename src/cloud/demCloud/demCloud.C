@@ -12,7 +12,6 @@ License
 #include "cloudState.H"
 #include "mapPolyMesh.H"
 #include "rankBoundaries.H"
-#include "rankSum.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -37,39 +36,6 @@ void Foam::demCloud::startForces(const label firstNew)
     {
         state.fluidForce[b] =
             immersed_->startForce(b, coupling_ == "twoWay");
-    }
-}
-
-
-void Foam::demCloud::removeLeaving()
-{
-    const dem::bodies& state = dem_->state();
-
-    boolList inside(state.size());
-    forAll(inside, b)
-    {
-        inside[b] = bins_.find(state.x[b]) >= 0;
-    }
-    dem::anyOverRanks(inside);
-
-    boolList leaving(state.size());
-    label n = 0;
-    forAll(leaving, b)
-    {
-        leaving[b] = !inside[b];
-        if (leaving[b])
-        {
-            ++n;
-            Info<< "    body " << state.id[b] << " ("
-                << state.shapeOf(b).name() << ") left the domain at "
-                << state.x[b] << endl;
-        }
-    }
-
-    if (n)
-    {
-        dem_->remove(leaving);
-        ledger_.addLeft(n);
     }
 }
 
@@ -104,6 +70,7 @@ void Foam::demCloud::meshMoved()
 
     ledger::entry e(ledger_, "cells sorted after a mesh change");
     bins_.update();
+    exits_.update();
     patches_.checkMotion();
     projected_ = false;
     meshMoved_ = true;
@@ -178,7 +145,7 @@ void Foam::demCloud::beginStep()
         ledger::entry e(ledger_, "bodies (contacts, motion)");
 
         followMesh(t0, t1);
-        removeLeaving();
+        removeLeaving(t0);
         const label n = dem_->state().size();
         dem_->enter(t0);
         startForces(n);
@@ -283,7 +250,11 @@ void Foam::demCloud::close()
 {
     endStep();
     finishWriting();
-    ledger_.close();
+    if (!ledger_.closed())
+    {
+        ledger_.close();
+        writeSinks();
+    }
 }
 
 
@@ -292,6 +263,7 @@ void Foam::demCloud::autoMap(const mapPolyMesh&)
     ledger::entry e(ledger_, "cells sorted after a mesh change");
     coupling::updateRankBoundaries(mesh_);
     bins_.update();
+    exits_.update();
     projected_ = false;
     meshChanged_ = true;
 }

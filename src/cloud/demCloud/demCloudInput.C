@@ -66,7 +66,7 @@ void Foam::demCloud::checkInput() const
         dict_,
         {
             "coupling", "demSolver", "fluid", "materials", "pairs", "shapes",
-            "bodies", "generators", "contact", "walls", "integrator",
+            "bodies", "generators", "sinks", "contact", "walls", "integrator",
             "stepControl", "neighbours", "immersed", "forces", "interface",
             "couplingInterval", "output"
         }
@@ -116,11 +116,12 @@ Foam::dem::demInput Foam::demCloud::solverInput()
             const label p = mesh_.boundaryMesh().findPatchID(name);
             return patches_.triangles(labelList(1, p), old);
         };
+    input.outlets = exits_.outlets();
     input.restart = cloudState::found(mesh_);
     input.checkShape =
-        [this](const dem::shape& s)
+        [this](const dem::shape& s, const dictionary& d)
         {
-            checkSize(s);
+            checkSize(s, d);
         };
     input.save =
         [this]()
@@ -136,12 +137,16 @@ Foam::dem::demInput Foam::demCloud::solverInput()
 }
 
 
-void Foam::demCloud::checkSize(const dem::shape& s) const
+void Foam::demCloud::checkSize
+(
+    const dem::shape& s,
+    const dictionary& dict
+) const
 {
     const scalar domain = mesh_.bounds().mag();
     if (2*s.boundingRadius() > domain)
     {
-        FatalIOErrorInFunction(dict_.subDict("shapes").subDict(s.name()))
+        FatalIOErrorInFunction(dict)
             << "The shape " << s.name() << " measures "
             << 2*s.boundingRadius() << " m, the whole domain "
             << domain << " m." << nl
@@ -225,6 +230,7 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const fluidAccess access)
     coupling_("none"),
     patches_(mesh),
     bins_(mesh),
+    exits_(mesh),
     timeIndex_(-1),
     vtp_(false),
     projected_(false),

@@ -138,7 +138,7 @@ void Foam::ledger::line
 
 void Foam::ledger::close()
 {
-    if (closed_ || !nFluidSteps_)
+    if (closed())
     {
         return;
     }

@@ -16,7 +16,7 @@ Description
 #define STYX_LANES 4
 #define STYX_INSTRUCTIONS avx2
 
-#include "contactSweep.H"
+#include "sweepSelection.H"
 
 const Foam::dem::sweepSet Foam::dem::sweepAvx2
 {

@@ -16,7 +16,7 @@ Description
 #define STYX_LANES 8
 #define STYX_INSTRUCTIONS avx512
 
-#include "contactSweep.H"
+#include "sweepSelection.H"
 
 const Foam::dem::sweepSet Foam::dem::sweepAvx512
 {

@@ -14,7 +14,7 @@ Description
 #define STYX_LANES 2
 #define STYX_INSTRUCTIONS sse2
 
-#include "contactSweep.H"
+#include "sweepSelection.H"
 
 const Foam::dem::sweepSet Foam::dem::sweepSse2
 {

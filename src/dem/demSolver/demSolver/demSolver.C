@@ -39,15 +39,9 @@ Foam::PtrList<Foam::dem::shape> Foam::dem::demSolver::readShapes
     PtrList<shape> shapes;
     for (const word& name : dict.sortedToc())
     {
-        shapes.append
-        (
-            new shape(name, dict.subDict(name), input.directory)
-        );
-        if (input.checkShape)
-        {
-            input.checkShape(shapes.last());
-        }
-        checkPeriod(shapes.last(), input);
+        const dictionary& d = dict.subDict(name);
+        shapes.append(new shape(name, d, input.directory));
+        checkShape(shapes.last(), d, input);
     }
     if (shapes.empty())
     {
@@ -60,16 +54,22 @@ Foam::PtrList<Foam::dem::shape> Foam::dem::demSolver::readShapes
 }
 
 
-void Foam::dem::demSolver::checkPeriod
+void Foam::dem::demSolver::checkShape
 (
     const shape& s,
+    const dictionary& dict,
     const demInput& input
 )
 {
+    if (input.checkShape)
+    {
+        input.checkShape(s, dict);
+    }
+
     const scalar size = 2*s.boundingRadius();
     if (size >= input.period.width())
     {
-        FatalIOErrorInFunction(input.dict.subDict("shapes").subDict(s.name()))
+        FatalIOErrorInFunction(dict)
             << "The shape " << s.name() << " measures up to " << size
             << " m, but the domain repeats itself after "
             << input.period.width() << " m." << nl

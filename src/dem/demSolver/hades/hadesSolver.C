@@ -190,6 +190,7 @@ Foam::dem::hadesSolver::hadesSolver(const demInput& input)
     readWalls();
     readMirrors();
     readGenerators();
+    readSinks();
     if (!input.restart)
     {
         checkOverlaps();

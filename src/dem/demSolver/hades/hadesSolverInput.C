@@ -22,12 +22,38 @@ void Foam::dem::hadesSolver::readGenerators()
         return;
     }
 
+    shapeSizes sizes
+    (
+        shapes_,
+        [this](const shape& s, const dictionary& d)
+        {
+            checkShape(s, d, input_);
+        }
+    );
     const dictionary& dict = input_.dict.subDict("generators");
     for (const word& name : dict.toc())
     {
         generators_.append
         (
-            generator::New(name, dict.subDict(name), shapes_, materials_).ptr()
+            generator::New(name, dict.subDict(name), sizes, materials_).ptr()
+        );
+    }
+}
+
+
+void Foam::dem::hadesSolver::readSinks()
+{
+    if (!input_.dict.found("sinks"))
+    {
+        return;
+    }
+
+    const dictionary& dict = input_.dict.subDict("sinks");
+    for (const word& name : dict.toc())
+    {
+        sinks_.append
+        (
+            sink::New(name, dict.subDict(name), input_.outlets).ptr()
         );
     }
 }

@@ -47,6 +47,15 @@ void Foam::dem::hadesSolver::writeCounters(dictionary& dict) const
     dict.add("entered", entered);
     dict.add("leftOut", leftOut);
 
+    dictionary taken;
+    for (const sink& s : sinks_)
+    {
+        dictionary counters;
+        s.write(counters);
+        taken.add(s.name(), counters);
+    }
+    dict.add("sinks", taken);
+
     dictionary step;
     control_->writeState(step);
     dict.add("stepControl", step);
@@ -55,6 +64,16 @@ void Foam::dem::hadesSolver::writeCounters(dictionary& dict) const
 
 void Foam::dem::hadesSolver::readCounters(const dictionary& dict)
 {
+    // A sink that is new in the case has taken nothing
+    const dictionary& taken = dict.subOrEmptyDict("sinks");
+    for (sink& s : sinks_)
+    {
+        if (taken.found(s.name()))
+        {
+            s.read(taken.subDict(s.name()));
+        }
+    }
+
     // A generator that is new in the case starts with its first body
     const dictionary& entered = dict.subDict("entered");
     const dictionary& leftOut = dict.subOrEmptyDict("leftOut");

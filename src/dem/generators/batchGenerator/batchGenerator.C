@@ -32,7 +32,7 @@ Foam::dem::batchGenerator::batchGenerator
 (
     const word& name,
     const dictionary& dict,
-    const PtrList<shape>& shapes,
+    shapeSizes& shapes,
     const materials& m
 )
 :

@@ -101,7 +101,7 @@ Foam::dem::fillGenerator::fillGenerator
 (
     const word& name,
     const dictionary& dict,
-    const PtrList<shape>& shapes,
+    shapeSizes& shapes,
     const materials& m
 )
 :
@@ -113,7 +113,7 @@ Foam::dem::fillGenerator::fillGenerator
         m,
         {"number", "fraction", "start", "tries"}
     ),
-    shapes_(shapes),
+    shapes_(shapes.shapes()),
     start_(getFinite(dict, "start", 0)),
     nTries_(getLabel(dict, "tries", 1, 10000))
 {

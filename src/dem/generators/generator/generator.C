@@ -29,7 +29,7 @@ Foam::autoPtr<Foam::dem::generator> Foam::dem::generator::New
 (
     const word& name,
     const dictionary& dict,
-    const PtrList<shape>& shapes,
+    shapeSizes& shapes,
     const materials& m
 )
 {

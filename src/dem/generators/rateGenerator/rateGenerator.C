@@ -26,40 +26,101 @@ namespace dem
 }
 
 
+// * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Is the first of two entries there? One of them must be
+bool isFirst
+(
+    const Foam::dictionary& dict,
+    const Foam::word& first,
+    const Foam::word& second
+)
+{
+    if (dict.found(first) == dict.found(second))
+    {
+        FatalIOErrorInFunction(dict)
+            << "One of the entries " << first << " and " << second
+            << " is needed; here "
+            << (dict.found(first) ? "are both" : "is neither")
+            << Foam::exit(Foam::FatalIOError);
+    }
+    return dict.found(first);
+}
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::dem::rateGenerator::rateGenerator
 (
     const word& name,
     const dictionary& dict,
-    const PtrList<shape>& shapes,
+    shapeSizes& shapes,
     const materials& m
 )
 :
-    regionGenerator(name, dict, shapes, m, {"rate", "start", "total"}),
-    rate_(getPositive(dict, "rate")),
+    regionGenerator
+    (
+        name,
+        dict,
+        shapes,
+        m,
+        {"rate", "massRate", "start", "total", "totalMass"}
+    ),
+    byMass_(isFirst(dict, "massRate", "rate")),
+    rate_(getPositive(dict, byMass_ ? "massRate" : "rate")),
     start_(getFinite(dict, "start", 0)),
-    total_(getLabel(dict, "total", 0))
-{}
+    total_
+    (
+        isFirst(dict, "total", "totalMass")
+      ? getLabel(dict, "total", 0)
+      : labelMax
+    ),
+    totalMass_(getPositive(dict, "totalMass", GREAT))
+{
+    if (totalMass_/mixture_.meanMass() > labelMax && total_ == labelMax)
+    {
+        badEntry(dict, "totalMass", "is more bodies than can be counted");
+    }
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::dem::generatorPlan Foam::dem::rateGenerator::plan() const
 {
-    return planOf(total_);
+    return planOf
+    (
+        total_ < labelMax
+      ? total_
+      : label(std::ceil(totalMass_/mixture_.meanMass()))
+    );
 }
 
 
 Foam::label Foam::dem::rateGenerator::nDue(const scalar t)
 {
-    if (t < start_)
-    {
-        return 0;
-    }
     // Round-off of t must not decide whether a body comes now or a step later
-    const scalar n = 1 + std::floor((t - start_)*rate_ + 1e-6);
-    return n < total_ ? label(n) : total_;
+    const scalar unit = byMass_ ? mixture_.meanMass() : 1;
+    const scalar due = (t - start_)*rate_ + 1e-6*unit;
+
+    while
+    (
+        t >= start_ && amount_ <= due
+     && n_ < total_ && mass_ < totalMass_
+    )
+    {
+        const mixture::kind& k = mixture_.kindOf(seed_, n_);
+        const scalar own = k.density*k.volume;
+        mass_ += own;
+        amount_ += byMass_ ? own : 1;
+        ++n_;
+    }
+    return n_;
 }
 
 

@@ -92,7 +92,7 @@ Foam::dem::regionGenerator::regionGenerator
 (
     const word& name,
     const dictionary& dict,
-    const PtrList<shape>& shapes,
+    shapeSizes& shapes,
     const materials& m,
     const wordList& otherKeys
 )

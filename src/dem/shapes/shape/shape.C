@@ -101,6 +101,25 @@ Foam::dem::shape Foam::dem::shape::sphere(const word& name, scalar diameter)
 }
 
 
+Foam::dem::shape Foam::dem::shape::scaled
+(
+    const word& name,
+    const scalar factor
+) const
+{
+    shape s(*this);
+    s.name_ = name;
+    s.centres_ *= factor;
+    s.radii_ *= factor;
+    s.centreOfMass_ *= factor;
+    s.boundingRadius_ *= factor;
+    s.volume_ *= pow3(factor);
+    s.unionVolume_ *= pow3(factor);
+    s.inertiaPerDensity_ *= pow5(factor);
+    return s;
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::scalar Foam::dem::shape::equivalentDiameter() const

@@ -30,6 +30,63 @@ Foam::scalar distance2
     return magSqr(p - min(max(p, low), high));
 }
 
+
+//- Point of a triangle that is nearest to c [m]
+inline Foam::point nearestOf
+(
+    const Foam::dem::corners& t,
+    const Foam::point& c
+)
+{
+    using namespace Foam;
+
+    // The projections of c from each corner on the edges ab and ac tell whether
+    // it is nearest to a corner, to an edge or to the face: the regions are
+    // told apart by the sides of the edges, whose normals are not needed
+    const vector ab = t[1] - t[0];
+    const vector ac = t[2] - t[0];
+    const scalar abab = ab & ab;
+    const scalar abac = ab & ac;
+    const scalar acac = ac & ac;
+
+    const scalar ab0 = ab & (c - t[0]);
+    const scalar ac0 = ac & (c - t[0]);
+    if (ab0 <= 0 && ac0 <= 0)
+    {
+        return t[0];
+    }
+    const scalar ab1 = ab0 - abab;
+    const scalar ac1 = ac0 - abac;
+    if (ab1 >= 0 && ac1 <= ab1)
+    {
+        return t[1];
+    }
+    const scalar ab2 = ab0 - abac;
+    const scalar ac2 = ac0 - acac;
+    if (ac2 >= 0 && ab2 <= ac2)
+    {
+        return t[2];
+    }
+
+    if (ab0*ac1 <= ab1*ac0 && ab0 >= 0 && ab1 <= 0)
+    {
+        return t[0] + ab0/(ab0 - ab1)*ab;
+    }
+    if (ab2*ac0 <= ab0*ac2 && ac0 >= 0 && ac2 <= 0)
+    {
+        return t[0] + ac0/(ac0 - ac2)*ac;
+    }
+    const scalar bc1 = ac1 - ab1;
+    const scalar bc2 = ab2 - ac2;
+    if (ab1*ac2 <= ab2*ac1 && bc1 >= 0 && bc2 >= 0)
+    {
+        return t[1] + bc1/max(bc1 + bc2, VSMALL)*(t[2] - t[1]);
+    }
+
+    const vector normal = ab ^ ac;
+    return c - ((c - t[0]) & normal)/max(magSqr(normal), VSMALL)*normal;
+}
+
 } // End anonymous namespace
 
 
@@ -236,42 +293,7 @@ Foam::point Foam::dem::triangleWall::nearestPoint
     const point& c
 )
 {
-    const vector ab = t[1] - t[0];
-    const vector ac = t[2] - t[0];
-    const vector normal = ab ^ ac;
-    const scalar area2 = magSqr(normal);
-
-    // Inside, if the projection is on the inner side of the three edges
-    if (area2 > VSMALL)
-    {
-        bool inside = true;
-        for (label k = 0; k < 3 && inside; ++k)
-        {
-            const point& p = t[k];
-            const vector edge = t[(k + 1) % 3] - p;
-            inside = ((edge ^ (c - p)) & normal) >= 0;
-        }
-        if (inside)
-        {
-            return c - (((c - t[0]) & normal)/area2)*normal;
-        }
-    }
-
-    // Otherwise the nearest point of the edges
-    point best = t[0];
-    for (label k = 0; k < 3; ++k)
-    {
-        const point& p = t[k];
-        const vector edge = t[(k + 1) % 3] - p;
-        const scalar s =
-            min(max(((c - p) & edge)/max(magSqr(edge), VSMALL), scalar(0)), 1);
-        const point q = p + s*edge;
-        if (magSqr(c - q) < magSqr(c - best))
-        {
-            best = q;
-        }
-    }
-    return best;
+    return nearestOf(t, c);
 }
 
 
@@ -310,7 +332,9 @@ void Foam::dem::triangleWall::candidates
         for (label t = n.first; t < n.last; ++t)
         {
             const point p =
-                nearestPoint(moving() ? now(t) : triangles_[t], c);
+                end_.empty()
+              ? nearestOf(triangles_[t], c)
+              : nearestOf(now(t), c);
             if (magSqr(c - p) < sqr(reach))
             {
                 elements.append(t);
@@ -328,8 +352,10 @@ Foam::scalar Foam::dem::triangleWall::nearest
     vector& n
 ) const
 {
-    const corners& rest = triangles_[element];
-    p = nearestPoint(moving() ? now(element) : rest, c);
+    p =
+        end_.empty()
+      ? nearestOf(triangles_[element], c)
+      : nearestOf(now(element), c);
     const scalar d = mag(c - p);
 
     if (d > VSMALL)

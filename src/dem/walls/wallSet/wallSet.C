@@ -40,72 +40,90 @@ void Foam::dem::wallSet::findNear
 }
 
 
-void Foam::dem::wallSet::select
+inline bool Foam::dem::wallSet::touches
 (
-    DynamicList<wallTouch>& found,
+    const neighbour& n,
+    const point& x,
+    const scalar r,
+    wallTouch& t
+) const
+{
+    const wall& w = walls_[n.wallI];
+    const bool isImage = n.image != periodicity::original;
+    const scalar d = w.nearest
+    (
+        isImage ? x + period_.shift(n.image) : x,
+        n.element,
+        t.p,
+        t.n
+    );
+    if (d >= r)
+    {
+        return false;
+    }
+
+    t.sphere = n.sphere;
+    t.wallI = n.wallI;
+    t.overlap = r - d;
+    t.xi = Zero;
+    t.likeness = 0;
+    t.u = Zero;
+    t.spin = 0;
+    if (w.moving())
+    {
+        t.u = w.velocity(n.element, t.p);
+        t.spin = w.spin(n.element, t.n);
+    }
+    if (isImage)
+    {
+        t.p -= period_.shift(n.image);
+    }
+    return true;
+}
+
+
+inline Foam::label Foam::dem::wallSet::select
+(
+    const label first,
+    const label last,
     const scalar radius
 )
 {
+    if (last < first + 2)
+    {
+        return last;
+    }
     std::sort
     (
-        found.begin(),
-        found.end(),
+        trial_.begin() + first,
+        trial_.begin() + last,
         [](const wallTouch& a, const wallTouch& b)
         {
             return a.overlap > b.overlap;
         }
     );
 
-    const label first = trial_.size();
-
-    for (const wallTouch& t : found)
+    label end = first;
+    for (label t = first; t < last; ++t)
     {
         bool standsOut = true;
-        for (label k = first; k < trial_.size() && standsOut; ++k)
+        for (label k = first; k < end && standsOut; ++k)
         {
             // The tolerance is above the round-off of coordinates in a
             // surface file, and far below what a corner stands out
             standsOut =
-                ((t.p - trial_[k].p) & trial_[k].n) > 1e-4*radius;
+                ((trial_[t].p - trial_[k].p) & trial_[k].n) > 1e-4*radius;
         }
         if (standsOut)
         {
-            trial_.append(t);
+            trial_[end++] = trial_[t];
         }
     }
+    return end;
 }
 
 
-void Foam::dem::wallSet::inherit()
-{
-    label first = 0;
-    for (label t = 0; t < trial_.size();)
-    {
-        const label sphere = trial_[t].sphere;
-        label end = t;
-        while (end < trial_.size() && trial_[end].sphere == sphere)
-        {
-            ++end;
-        }
-        while (first < touches_.size() && touches_[first].sphere < sphere)
-        {
-            ++first;
-        }
-        for
-        (
-            label k = first;
-            k < touches_.size() && touches_[k].sphere == sphere;
-            ++k
-        )
-        {
-            bequeath(touches_[k], t, end);
-        }
-        t = end;
-    }
-}
-
-
-void Foam::dem::wallSet::bequeath
+inline void Foam::dem::wallSet::bequeath
 (
     const wallTouch& old,
     const label begin,
@@ -190,51 +208,38 @@ void Foam::dem::wallSet::touching
 
 void Foam::dem::wallSet::findTouches(const packedBodies& state)
 {
-    trial_.clear();
+    // Contacts are made where they stay, and the room for them is there
+    trial_.setSize(near_.size());
 
-    DynamicList<wallTouch> found;
-    forAll(near_, k)
+    label end = 0;
+    label old = 0;
+    for (label k = 0; k < near_.size();)
     {
-        const neighbour& n = near_[k];
-        const wall& w = walls_[n.wallI];
-        const bool isImage = n.image != periodicity::original;
-        const vector shift = isImage ? period_.shift(n.image) : vector(Zero);
+        const label sphere = near_[k].sphere;
+        const point x = state.centre(sphere);
+        const scalar r = state.radius(sphere);
 
-        wallTouch t;
-        t.sphere = n.sphere;
-        t.wallI = n.wallI;
-        t.xi = Zero;
-        t.likeness = 0;
-        const scalar d = w.nearest
-        (
-            state.centre(n.sphere) + shift,
-            n.element,
-            t.p,
-            t.n
-        );
-        t.overlap = state.radius(n.sphere) - d;
-        if (t.overlap > 0)
+        const label begin = end;
+        for (; k < near_.size() && near_[k].sphere == sphere; ++k)
         {
-            if (w.moving())
+            if (touches(near_[k], x, r, trial_[end]))
             {
-                t.u = w.velocity(n.element, t.p);
-                t.spin = w.spin(n.element, t.n);
+                ++end;
             }
-            t.p -= shift;
-            found.append(t);
         }
+        end = select(begin, end, r);
 
-        if (k + 1 == near_.size() || near_[k + 1].sphere != n.sphere)
+        // Both lists are sorted by sphere
+        while (old < touches_.size() && touches_[old].sphere < sphere)
         {
-            if (found.size())
-            {
-                select(found, state.radius(n.sphere));
-            }
-            found.clear();
+            ++old;
+        }
+        for (; old < touches_.size() && touches_[old].sphere == sphere; ++old)
+        {
+            bequeath(touches_[old], begin, end);
         }
     }
-
-    inherit();
+    trial_.setSize(end);
 }
 
 
