@@ -210,7 +210,7 @@ TEST(shape, refusesBadTemplates)
     EXPECT_TRUE(says("type sphere; diametre 1;", "did you mean 'diameter'?"));
     EXPECT_TRUE(says("type sphere; diametre 1;", "diameter type"));
     EXPECT_TRUE(says("type sphere; diameter 1; density 2;", "'density'"));
-    EXPECT_TRUE(says("type blob;", "multisphere sphere"));
+    EXPECT_TRUE(says("type blob;", "ellipsoid multisphere sphere"));
     EXPECT_TRUE(says("type sphere; diameter 0;", "greater than zero"));
     EXPECT_TRUE(says("type sphere; diameter -1;", "greater than zero"));
     EXPECT_TRUE(says("type sphere; diameter nan;", "nan"));

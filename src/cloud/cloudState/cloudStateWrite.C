@@ -119,6 +119,7 @@ Foam::autoPtr<Foam::IOdictionary> Foam::cloudState::write
     lagrangianWriter& out,
     const dem::demSolver& dem,
     const coupling::implicitForcing* immersed,
+    const dictionary& meters,
     const bool complete
 )
 {
@@ -159,6 +160,7 @@ Foam::autoPtr<Foam::IOdictionary> Foam::cloudState::write
     dict->add("materials", dem.mats().names());
     dict->add("walls", dem.walls());
     dem.writeCounters(*dict);
+    dict->add("meters", meters);
     dict->add("checksums", out.checksums());
     dict->add("checksum", textChecksum(*dict));
     return dict;

@@ -164,9 +164,11 @@ void Foam::demCloud::beginStep()
         {
             immersed_->store();
         }
+        meters_->begin(*dem_);
         advancing_ = true;
         dem_->advance(t0, t1);
         advancing_ = false;
+        meters_->end(*dem_, t0, t1);
         checkFinite();
     }
 

@@ -66,9 +66,9 @@ void Foam::demCloud::checkInput() const
         dict_,
         {
             "coupling", "demSolver", "fluid", "materials", "pairs", "shapes",
-            "bodies", "generators", "sinks", "contact", "walls", "integrator",
-            "stepControl", "neighbours", "immersed", "forces", "interface",
-            "couplingInterval", "output"
+            "bodies", "generators", "sinks", "meters", "contact", "walls",
+            "integrator", "stepControl", "neighbours", "immersed", "forces",
+            "interface", "couplingInterval", "output"
         }
     );
 }
@@ -268,6 +268,17 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const fluidAccess access)
         *dem_,
         coupling_ == "particlesToFluid" || coupling_ == "twoWay"
     );
+    meters_.reset
+    (
+        new dem::meterSet
+        (
+            dict_,
+            patches_.period(),
+            mesh.time().rootPath()/mesh.time().globalCaseName()
+           /"postProcessing",
+            mesh.time().timeName()
+        )
+    );
     readCoupling(access);
 
     const bool goesOn =
@@ -278,6 +289,14 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const fluidAccess access)
             *dem_,
             immersed_.valid() ? immersed_.get() : nullptr
         );
+    if (input.restart)
+    {
+        const IOdictionary saved
+        (
+            cloudState::counters(mesh, IOobject::MUST_READ)
+        );
+        meters_->setCounters(saved.subOrEmptyDict("meters"));
+    }
     if (!goesOn)
     {
         startForces(0);

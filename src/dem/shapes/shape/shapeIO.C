@@ -11,6 +11,7 @@ License
 #include "allowedKeys.H"
 #include "checkedEntry.H"
 #include "dictionaryText.H"
+#include "ellipsoidSpheres.H"
 #include "Fstream.H"
 #include "OSspecific.H"
 #include "StringStream.H"
@@ -100,6 +101,68 @@ void checkInertia(const dictionary& dict, const dem::massProperties& body)
     }
 }
 
+//- The spheres of a template of type ellipsoid, and what they stand for
+List<dem::shape::sphereData> readEllipsoid
+(
+    const word& name,
+    const dictionary& dict,
+    dem::massProperties& body
+)
+{
+    const vector axes = dem::getFiniteVector(dict, "semiAxes");
+    const scalar least = cmptMin(axes);
+    if (least < 1e-10 || cmptMax(axes) > 20*least)
+    {
+        dem::badEntry
+        (
+            dict,
+            "semiAxes",
+            "must be greater than zero (1e-10 m), the longest up to 20 times"
+            " the shortest"
+        );
+    }
+    if (dict.found("spheres") == dict.found("surfaceError"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "An ellipsoid needs one of the entries spheres and"
+            << " surfaceError; " << dict.name() << " has "
+            << (dict.found("spheres") ? "both" : "neither")
+            << exit(FatalIOError);
+    }
+
+    const label most = 100;
+    const bool byNumber = dict.found("spheres");
+    const label n = byNumber ? dem::getLabel(dict, "spheres", 1) : most;
+    const scalar wanted =
+        byNumber ? 0 : dem::getPositive(dict, "surfaceError", 0, 1);
+    if (n > most)
+    {
+        dem::badEntry(dict, "spheres", "must be 100 at most");
+    }
+
+    const dem::ellipsoidSpheres cluster(axes, wanted, n);
+    if (wanted > 0 && cluster.error() > wanted)
+    {
+        OStringStream os;
+        os  << "takes more than 100 spheres: with " << cluster.size()
+            << " it is " << cluster.error();
+        dem::badEntry(dict, "surfaceError", os.str());
+    }
+    Info<< "    shape " << name << ": an ellipsoid of " << cluster.size()
+        << " spheres, largest distance of the surfaces "
+        << 100*cluster.error()
+        << " % of the diameter of the sphere of the same volume" << endl;
+
+    List<dem::shape::sphereData> spheres(cluster.size());
+    forAll(spheres, i)
+    {
+        spheres[i] =
+            dem::shape::sphereData(cluster.centre(i), cluster.radius(i));
+    }
+    body = cluster.properties();
+    return spheres;
+}
+
 } // End anonymous namespace
 
 
@@ -178,7 +241,10 @@ Foam::dem::shape::shape
 :
     name_(name)
 {
-    const word type(getChoice(dict, "type", {"sphere", "multisphere"}));
+    const word type
+    (
+        getChoice(dict, "type", {"ellipsoid", "multisphere", "sphere"})
+    );
 
     wordList keys(otherKeys);
     keys.append("type");
@@ -188,6 +254,16 @@ Foam::dem::shape::shape
         keys.append("diameter");
         checkKeys(dict, keys);
         readSphere(dict);
+        return;
+    }
+
+    if (type == "ellipsoid")
+    {
+        keys.append(wordList({"semiAxes", "spheres", "surfaceError"}));
+        checkKeys(dict, keys);
+        massProperties body;
+        const List<sphereData> spheres(readEllipsoid(name, dict, body));
+        set(spheres, &body);
         return;
     }
 
