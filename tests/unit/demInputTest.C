@@ -118,6 +118,8 @@ TEST(demInput, wrongChoice)
 {
     spoil("demSolver hades", "demSolver zeus", {"zeus", "fixed", "hades"});
     spoil("normal hertz", "normal herz", {"herz", "hertz"});
+    spoil("normal hertz", "instructions avx3; normal hertz",
+        {"avx3", "auto", "sse2", "avx2", "avx512"});
     spoil("mindlin", "mindless", {"mindless", "none", "mindlin"});
     spoil("damping restitution", "damping some",
         {"some", "none", "hades", "restitution"});
