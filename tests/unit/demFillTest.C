@@ -284,7 +284,7 @@ TEST(demFill, roomGrid)
 }
 
 
-TEST(demFill, speed)
+TEST(demFill, speedFull)
 {
     demCase c
     (
