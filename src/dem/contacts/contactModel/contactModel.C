@@ -180,19 +180,6 @@ Foam::dem::contactModel::contactModel
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::word Foam::dem::contactModel::instructions() const
-{
-    for (const char* name : {"avx512", "avx2", "sse2"})
-    {
-        if (nLanes() == find(name).sweeps->nLanes)
-        {
-            return name;
-        }
-    }
-    return word::null;
-}
-
-
 Foam::dem::contactSummary Foam::dem::contactModel::addForces
 (
     packedBodies& state,
