@@ -263,7 +263,7 @@ TEST(demPeriodic, historyGoesOn)
     a->run(1e-4);
     const contactHistory saved = a->solver().history();
     ASSERT_EQ(saved.pairs.size(), 1);
-    EXPECT_NE(saved.pairs[0].image, label(periodicity::original));
+    EXPECT_NE(saved.pairs[0].pair.image, label(periodicity::original));
 
     const auto b = make();
     b->state().x = a->state().x;

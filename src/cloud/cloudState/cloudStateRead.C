@@ -213,7 +213,7 @@ List<dem::verletList::pairHistory> readPairs
             }
             pairs.append
             (
-                dem::verletList::pairHistory{{i, j}, slip[b][k], images[b][k]}
+                dem::verletList::pairHistory{{i, j, images[b][k]}, slip[b][k]}
             );
         }
     }

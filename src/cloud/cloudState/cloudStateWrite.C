@@ -74,7 +74,7 @@ void writePairs
         spheres[a].append(state.id[b]);
         spheres[a].append(h.pair.j - state.firstSphere[b]);
         slip[a].append(h.xi);
-        image[a].append(h.image);
+        image[a].append(h.pair.image);
     }
     out.writeLists("contactSpheres", spheres);
     out.writeLists("contactSlip", slip);

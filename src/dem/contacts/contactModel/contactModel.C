@@ -136,11 +136,11 @@ void Foam::dem::contactModel::giveWalls
     data.wallMaterial = b.material.data();
     data.wallNormal = b.normal.data();
     data.wallOverlap = b.overlap.data();
-    data.wallVelocity = b.velocity.data();
     data.wallSpin = b.spin.data();
-    data.wallXi = b.xi.data();
-    data.wallRate = b.rate.data();
-    data.wallTouchedOld = b.touched.data();
+    data.ofWalls.xiOld = data.ofWalls.xi = b.xi.data();
+    data.ofWalls.rateOld = data.ofWalls.rate = b.rate.data();
+    data.ofWalls.touchedOld = data.ofWalls.touched = b.touched.data();
+    data.ofWalls.velocity = b.velocity.data();
 }
 
 
@@ -174,7 +174,7 @@ Foam::dem::contactModel::contactModel
 :
     materials_(m),
     set_(find(laws.instructions).sweeps),
-    sweep_(set_->select(numbered(laws)))
+    laws_(numbered(laws))
 {}
 
 
@@ -204,11 +204,12 @@ Foam::dem::contactSummary Foam::dem::contactModel::addForces
     data.nMaterials = materials_.names().size();
     data.dt = dt;
     data.ahead = between > 0 ? 0.5*dt/between : 0;
+    list.refresh(state);
     list.give(data, onTrial);
     giveWalls(state, walls, data);
 
     sweepExtremes pairs, atWalls;
-    sweep_(data, pairs, atWalls);
+    set_->sweep(laws_, data, pairs, atWalls);
     takeWalls(walls);
 
     contactSummary sum;

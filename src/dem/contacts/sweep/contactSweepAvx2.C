@@ -16,12 +16,12 @@ Description
 #define STYX_LANES 4
 #define STYX_INSTRUCTIONS avx2
 
-#include "sweepSelection.H"
+#include "contactSweep.H"
 
 const Foam::dem::sweepSet Foam::dem::sweepAvx2
 {
     STYX_LANES,
-    &avx2::select,
+    &avx2::sweep,
     avx2::normalLaws::hertz::duration
 };
 

@@ -16,12 +16,12 @@ Description
 #define STYX_LANES 8
 #define STYX_INSTRUCTIONS avx512
 
-#include "sweepSelection.H"
+#include "contactSweep.H"
 
 const Foam::dem::sweepSet Foam::dem::sweepAvx512
 {
     STYX_LANES,
-    &avx512::select,
+    &avx512::sweep,
     avx512::normalLaws::hertz::duration
 };
 

@@ -14,12 +14,12 @@ Description
 #define STYX_LANES 2
 #define STYX_INSTRUCTIONS sse2
 
-#include "sweepSelection.H"
+#include "contactSweep.H"
 
 const Foam::dem::sweepSet Foam::dem::sweepSse2
 {
     STYX_LANES,
-    &sse2::select,
+    &sse2::sweep,
     sse2::normalLaws::hertz::duration
 };
 

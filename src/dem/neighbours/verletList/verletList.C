@@ -14,41 +14,12 @@ License
 #include "checkedEntry.H"
 
 #include <algorithm>
-#include <tuple>
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-//- In the order of the list: pairs through seams last, so that the order in
-//  which forces are added, and with it their round-off, does not depend on
-//  when the list was made
-bool before
-(
-    const Foam::dem::verletList::pairHistory& a,
-    const Foam::dem::verletList::pairHistory& b
-)
-{
-    const bool seamA = a.image != Foam::dem::periodicity::original;
-    const bool seamB = b.image != Foam::dem::periodicity::original;
-    return
-        std::tie(seamA, a.pair.i, a.pair.j, a.image)
-      < std::tie(seamB, b.pair.i, b.pair.j, b.image);
-}
-
-} // End anonymous namespace
-
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::dem::verletList::search
-(
-    const packedBodies& state,
-    DynamicList<pairHistory>& plain,
-    DynamicList<pairHistory>& images
-) const
+void Foam::dem::verletList::search(const packedBodies& state)
 {
+    pairs_.clear();
     const label n = state.nSpheres();
     if (n < 2)
     {
@@ -56,7 +27,7 @@ void Foam::dem::verletList::search
     }
     if (periodic())
     {
-        searchImages(state, plain, images);
+        searchImages(state);
         return;
     }
 
@@ -65,33 +36,25 @@ void Foam::dem::verletList::search
     {
         r[s] = state.radius(s);
     }
-    sizeLevels(built_, r, skin_).forEachPair
+    sizeLevels(far_.x, r, skin_).forEachPair
     (
         [&](const label i, const label j)
         {
             if (state.bodyOf(i) != state.bodyOf(j))
             {
-                plain.append
-                (
-                    pairHistory{spherePair{min(i, j), max(i, j)}, Zero}
-                );
+                pairs_.push_back(spherePair(min(i, j), max(i, j)));
             }
         }
     );
 }
 
 
-void Foam::dem::verletList::searchImages
-(
-    const packedBodies& state,
-    DynamicList<pairHistory>& plain,
-    DynamicList<pairHistory>& images
-) const
+void Foam::dem::verletList::searchImages(const packedBodies& state)
 {
     const label n = state.nSpheres();
 
     // The spheres, and behind them the images of those near a seam
-    DynamicList<point> x(built_);
+    DynamicList<point> x(far_.x);
     DynamicList<scalar> r(n);
     DynamicList<label> source(identity(n));
     DynamicList<label> image(labelList(n, label(periodicity::original)));
@@ -107,11 +70,11 @@ void Foam::dem::verletList::searchImages
         const scalar radius = r[s];
         period_.forEachImage
         (
-            built_[s],
+            far_.x[s],
             radius + skin_ + overhang,
             [&](const label m)
             {
-                x.append(built_[s] + period_.shift(m));
+                x.append(far_.x[s] + period_.shift(m));
                 r.append(radius);
                 source.append(s);
                 image.append(m);
@@ -135,59 +98,71 @@ void Foam::dem::verletList::searchImages
              && state.bodyOf(source[i]) != state.bodyOf(source[j])
             )
             {
-                const bool seam = image[j] != periodicity::original;
-                (seam ? images : plain).append
-                (
-                    pairHistory{{source[i], source[j]}, Zero, image[j]}
-                );
+                pairs_.push_back(spherePair(source[i], source[j], image[j]));
             }
         }
     );
 }
 
 
-void Foam::dem::verletList::fill
+void Foam::dem::verletList::setNear
 (
-    const UList<pairHistory>& pairs,
-    const label nSpheres
+    const packedBodies& state,
+    const UList<pairHistory>& touching
 )
 {
-    const label W = nLanes_;
-    const label nBlocks =
-        nPlainBlocks_ + (nImages_ + W - 1)/W;
+    const quad* x = state.spheres().x.data();
+    const quad* v = state.spheres().v.data();
+    const scalar skin = nearSkin_;
 
-    i_.assign(nBlocks*W, 4*nSpheres);
-    j_.assign(nBlocks*W, 4*(nSpheres + 1));
-    image_.clear();
-    if (periodic())
-    {
-        image_.assign(nBlocks*W, periodicity::original);
-    }
-    now_.xi.assign(3*nBlocks*W, 0);
-    now_.rate.assign(4*nBlocks*W, 0);
-    now_.touched.assign(nBlocks, 0);
+    // What touched before a step on trial belongs to them: the step may be
+    // undone
+    const auto sooner = contactBlocks::before;
+    label next = 0;
 
-    forAll(pairs, p)
+    near_.start(state);
+    nearPairs_.clear();
+    for (const spherePair& p : pairs_)
     {
-        const label k = slot(p);
-        const pairHistory& h = pairs[p];
-        i_[k] = 4*h.pair.i;
-        j_[k] = 4*h.pair.j;
-        if (periodic())
+        while (next < touching.size() && sooner(touching[next].pair, p))
         {
-            image_[k] = h.image;
+            ++next;
         }
-        for (direction d = 0; d < 3; ++d)
+        if (next < touching.size() && !sooner(p, touching[next].pair))
         {
-            now_.xi[3*(k - k % W) + d*W + k % W] = h.xi[d];
+            nearPairs_.push_back(p);
+            continue;
         }
-        for (direction d = 0; d < 4; ++d)
+
+        const quad& a = x[p.i];
+        const quad& b = x[p.j];
+        vector d(a.x - b.x, a.y - b.y, a.z - b.z);
+        if (p.image != periodicity::original)
         {
-            now_.rate[4*(k - k % W) + d*W + k % W] = h.rate[d];
+            d -= period_.shift(p.image);
         }
-        now_.touched[k/W] |= h.touches << (k % W);
+        if (magSqr(d) < sqr(v[p.i].w + v[p.j].w + skin))
+        {
+            nearPairs_.push_back(p);
+        }
     }
-    trial_ = memory();
+    blocks_.set(nearPairs_, touching, state.nSpheres());
+    nSweeps_ = 0;
+}
+
+
+void Foam::dem::verletList::adapt()
+{
+    // To gather the near pairs costs about as much as a sweep
+    if (nSweeps_ < 40)
+    {
+        nearSkin_ *= 2;
+    }
+    else if (nSweeps_ > 200)
+    {
+        nearSkin_ *= 0.5;
+    }
+    nearSkin_ = max(min(nearSkin_, skin_), 0.1*skin_);
 }
 
 
@@ -211,76 +186,109 @@ Foam::dem::verletList::verletList(const dictionary& dict)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::dem::verletList::placement::start(const packedBodies& state)
+{
+    x.setSize(state.nSpheres());
+    forAll(x, s)
+    {
+        x[s] = state.centre(s);
+    }
+    moved = 0;
+}
+
+
+bool Foam::dem::verletList::placement::left
+(
+    const packedBodies& state,
+    const scalar distance
+)
+{
+    if (moved > distance)
+    {
+        // The bound is used up: how far have they really moved?
+        scalar furthest = 0;
+        forAll(x, s)
+        {
+            furthest = max(furthest, magSqr(state.centre(s) - x[s]));
+        }
+        moved = sqrt(furthest);
+    }
+    return moved > distance;
+}
+
+
+void Foam::dem::verletList::moved(const scalar distance)
+{
+    // The step before was undone, perhaps after the list was made
+    const scalar sum = distance + lastMove_;
+    far_.moved += sum;
+    near_.moved += sum;
+    lastMove_ = distance;
+}
+
+
 bool Foam::dem::verletList::outdated(const packedBodies& state)
 {
-    if (!valid_ || built_.size() != state.nSpheres())
-    {
-        return true;
-    }
-    if (moved_ <= 0.5*skin_)
-    {
-        return false;
-    }
-
-    // The bound is used up: how far have they really moved?
-    scalar furthest = 0;
-    forAll(built_, s)
-    {
-        furthest = max(furthest, magSqr(state.centre(s) - built_[s]));
-    }
-    moved_ = sqrt(furthest);
-    return moved_ > 0.5*skin_;
+    return
+        !valid_
+     || far_.x.size() != state.nSpheres()
+     || far_.left(state, 0.5*skin_);
 }
 
 
 void Foam::dem::verletList::build(const packedBodies& state)
 {
-    List<pairHistory> old(valid_ ? histories() : kept_);
-    if (!std::is_sorted(old.begin(), old.end(), before))
+    List<pairHistory> old(histories());
+    const auto sooner = [](const pairHistory& a, const pairHistory& b)
     {
-        std::sort(old.begin(), old.end(), before);
+        return contactBlocks::before(a.pair, b.pair);
+    };
+    if (!std::is_sorted(old.begin(), old.end(), sooner))
+    {
+        std::sort(old.begin(), old.end(), sooner);
     }
     kept_.clear();
 
     const label n = state.nSpheres();
     scalar sum = 0;
-    built_.setSize(n);
     for (label s = 0; s < n; ++s)
     {
-        built_[s] = state.centre(s);
         sum += state.radius(s);
     }
     skin_ = n ? relativeSkin_*sum/n : 0;
-    moved_ = 0;
 
-    DynamicList<pairHistory> pairs, images;
-    search(state, pairs, images);
-    std::sort(pairs.begin(), pairs.end(), before);
-    std::sort(images.begin(), images.end(), before);
-    nPlain_ = pairs.size();
-    nImages_ = images.size();
-    nPlainBlocks_ = (nPlain_ + nLanes_ - 1)/nLanes_;
-    pairs.append(images);
-
-    // Both lists are sorted
-    label o = 0;
-    for (pairHistory& p : pairs)
+    far_.start(state);
+    search(state);
+    for (const pairHistory& h : old)
     {
-        while (o < old.size() && before(old[o], p))
-        {
-            ++o;
-        }
-        const bool same = o < old.size() && !before(p, old[o]);
-        p.touches = same;
-        if (same)
-        {
-            p = old[o++];
-        }
+        pairs_.push_back(h.pair);
     }
+    std::sort(pairs_.begin(), pairs_.end(), contactBlocks::before);
+    const auto same = [](const spherePair& a, const spherePair& b)
+    {
+        return a.i == b.i && a.j == b.j && a.image == b.image;
+    };
+    pairs_.erase
+    (
+        std::unique(pairs_.begin(), pairs_.end(), same),
+        pairs_.end()
+    );
 
-    fill(pairs, n);
+    nearSkin_ = max(min(nearSkin_, skin_), 0.1*skin_);
+    setNear(state, old);
     valid_ = true;
     ++nBuilds_;
+}
+
+
+void Foam::dem::verletList::refresh(const packedBodies& state)
+{
+    if (near_.left(state, 0.5*nearSkin_))
+    {
+        adapt();
+        setNear(state, blocks_.histories());
+    }
+    ++nSweeps_;
 }
 
 
@@ -320,13 +328,13 @@ void Foam::dem::verletList::turn
     for (pairHistory& h : kept_)
     {
         // What touches is nearer than a period, so the image is one of the 27
-        h.image = periodicity::moved
+        h.pair.image = periodicity::moved
         (
-            h.image,
+            h.pair.image,
             turns[state.sphereBody[h.pair.i]]
           - turns[state.sphereBody[h.pair.j]]
         );
-        if (h.image >= 0)
+        if (h.pair.image >= 0)
         {
             kept_[n++] = pairHistory(h);
         }
@@ -335,77 +343,10 @@ void Foam::dem::verletList::turn
 }
 
 
-Foam::List<Foam::dem::verletList::pairHistory>
-Foam::dem::verletList::histories() const
-{
-    if (!valid_)
-    {
-        return kept_;
-    }
-
-    const label W = nLanes_;
-    DynamicList<pairHistory> found;
-    for (label p = 0; p < size(); ++p)
-    {
-        const label k = slot(p);
-        if (!(now_.touched[k/W] & (1 << (k % W))))
-        {
-            continue;
-        }
-
-        pairHistory h{pair(p), Zero, imageOf(k)};
-        for (direction d = 0; d < 3; ++d)
-        {
-            h.xi[d] = now_.xi[3*(k - k % W) + d*W + k % W];
-        }
-        for (direction d = 0; d < 4; ++d)
-        {
-            h.rate[d] = now_.rate[4*(k - k % W) + d*W + k % W];
-        }
-        found.append(h);
-    }
-    return List<pairHistory>(std::move(found));
-}
-
-
 void Foam::dem::verletList::setHistories(const UList<pairHistory>& touching)
 {
     kept_ = touching;
     valid_ = false;
-}
-
-
-void Foam::dem::verletList::give(sweepData& data, const bool onTrial)
-{
-    if (onTrial && trial_.touched.size() != now_.touched.size())
-    {
-        trial_ = now_;
-    }
-    onTrial_ = onTrial;
-    memory& next = onTrial ? trial_ : now_;
-
-    data.nBlocks = label(now_.touched.size());
-    data.firstImage = nPlainBlocks_;
-    data.i = i_.data();
-    data.j = j_.data();
-    data.image = image_.data();
-    data.shift = period_.shiftData();
-    data.xiOld = now_.xi.data();
-    data.xi = next.xi.data();
-    data.rateOld = now_.rate.data();
-    data.rate = next.rate.data();
-    data.touchedOld = now_.touched.data();
-    data.touched = next.touched.data();
-}
-
-
-void Foam::dem::verletList::accept()
-{
-    if (onTrial_)
-    {
-        std::swap(now_, trial_);
-        onTrial_ = false;
-    }
 }
 
 
