@@ -20,6 +20,7 @@ Description
 #include "demCase.H"
 
 #include "dampingLaws.H"
+#include "hertz.H"
 #include "tangentialLaws.H"
 
 #include <cmath>
@@ -121,7 +122,8 @@ TEST(demFriction, slipTurns)
     using namespace Foam::dem::sse2;
 
     pairProperties pair;
-    pair.EStar = pair.GStar = 1e6;
+    pair.elasticity = 1e6;
+    pair.shearRatio = 0.8;
     pair.friction = 100;
 
     contactLanes c;
@@ -151,6 +153,7 @@ TEST(demFriction, slipTurns)
             F = tangentialLaws::mindlin::force<dampingLaws::none>
             (
                 c,
+                normalLaws::hertz::stiffness(c),
                 all(1),
                 xi
             );
@@ -163,7 +166,7 @@ TEST(demFriction, slipTurns)
         EXPECT_NEAR
         (
             std::sqrt((F & F)[1]),
-            8*pair.GStar*c.contactRadius[1]*1e-6,
+            1.6*pair.elasticity*c.contactRadius[1]*1e-6,
             1e-12
         );
     }

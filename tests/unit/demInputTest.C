@@ -117,12 +117,14 @@ TEST(demInput, unknownKeyword)
 TEST(demInput, wrongChoice)
 {
     spoil("demSolver hades", "demSolver zeus", {"zeus", "fixed", "hades"});
-    spoil("normal hertz", "normal herz", {"herz", "hertz"});
+    spoil("normal hertz", "normal herz", {"herz", "hertz", "hooke"});
     spoil("normal hertz", "instructions avx3; normal hertz",
         {"avx3", "auto", "sse2", "avx2", "avx512"});
-    spoil("mindlin", "mindless", {"mindless", "none", "mindlin"});
+    spoil("mindlin", "mindless", {"mindless", "none", "coulomb", "mindlin"});
     spoil("damping restitution", "damping some",
-        {"some", "none", "hades", "restitution"});
+        {"some", "none", "hades", "critical", "restitution"});
+    spoil("damping restitution;", "damping restitution; pulling maybe;",
+        {"pulling", "maybe", "yes", "no"});
     spoil("stormerVerlet", "euler", {"euler", "stormerVerlet"});
     spoil("type verletList", "type none", {"none", "verletList"});
     spoil("type hades", "type variable", {"variable", "fixed", "hades"});
@@ -161,6 +163,23 @@ TEST(demInput, pairs)
         "rock-rock { restitution 0.5; }",
         {"friction"}
     );
+}
+
+
+TEST(demInput, entriesOfLaws)
+{
+    spoil("normal hertz", "normal hooke", {"normalStiffness"}, false);
+    spoil("damping restitution;", "damping none; pulling no;",
+        {"pulling", "dashpot"});
+    spoil("damping restitution;", "damping hades;",
+        {"restitution", "normalDamping", "tangentialDamping"}, false);
+    spoil("tangential mindlin; damping restitution;",
+        "tangential coulomb; damping hades;",
+        {"Allowed keywords: friction normalDamping"}, false);
+    spoil("rock-rock { rest", "rock-rock { normalStiffness 1e5; rest",
+        {"normalStiffness", "friction", "restitution"});
+    spoil("rock-rock { rest", "rock-rock { dampingRatio 0.5; rest",
+        {"dampingRatio", "friction", "restitution"});
 }
 
 

@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "caseCheck.H"
+#include "mathematicalConstants.H"
 
 #include <cmath>
 
@@ -19,26 +20,32 @@ namespace
 
 using namespace Foam;
 
-//- A Hertzian impact of a sphere on one like it, or on a plane
+//- An impact of a sphere on one like it, or on a plane
 struct impact
 {
-    //- Effective radius [m], mass [kg] and modulus [Pa], velocity [m/s]
-    scalar rStar, mStar, EStar, u;
+    bool isHertz;
+
+    //- Effective radius [m] and mass [kg], E* [Pa] or the stiffness [N/m],
+    //  velocity [m/s]
+    scalar rStar, mStar, elasticity, u;
 
     //- The deepest overlap [m]
     scalar deepest() const
     {
-        return std::pow
-        (
-            15*mStar*sqr(u)/(16*EStar*std::sqrt(rStar)),
-            0.4
-        );
+        return
+            isHertz
+          ? std::pow
+            (
+                15*mStar*sqr(u)/(16*elasticity*std::sqrt(rStar)),
+                0.4
+            )
+          : u*std::sqrt(mStar/elasticity);
     }
 
     //- [s]
     scalar duration() const
     {
-        return 2.9432*deepest()/u;
+        return (isHertz ? 2.9432 : constant::mathematical::pi)*deepest()/u;
     }
 };
 
@@ -149,7 +156,14 @@ void Foam::caseCheck::checkImpacts()
             for (const bool plane : {true, false})
             {
                 const scalar part = plane ? 1 : 0.5;
-                const impact hit{part*s.maxRadius(), part*m, pair.EStar, u};
+                const impact hit
+                {
+                    dem_.mats().laws().normal == "hertz",
+                    part*s.maxRadius(),
+                    part*m,
+                    pair.elasticity,
+                    u
+                };
 
                 // A damped contact counts as so much shorter
                 shortest = min(shortest, hit.duration());

@@ -11,6 +11,7 @@ License
 #include "materials.H"
 #include "allowedKeys.H"
 #include "checkedEntry.H"
+#include "dampingRatio.H"
 #include "DynamicList.H"
 #include "ListOps.H"
 #include "mathematicalConstants.H"
@@ -51,19 +52,30 @@ Foam::dem::pairProperties Foam::dem::materials::readPair
     const contactLaws& laws
 ) const
 {
-    checkKeys(dict, laws.pairKeys());
+    wordList keys(laws.pairKeys());
+    keys.append(laws.freePairKeys());
+    checkKeys(dict, keys);
 
     pairProperties p;
 
-    p.EStar = 1/((1 - sqr(nu_[i]))/E_[i] + (1 - sqr(nu_[j]))/E_[j]);
-    p.GStar =
+    const bool isHertz = laws.normal == "hertz";
+    const scalar EStar =
+        1/((1 - sqr(nu_[i]))/E_[i] + (1 - sqr(nu_[j]))/E_[j]);
+    const scalar GStar =
         1
        /(
             (2 - nu_[i])*2*(1 + nu_[i])/E_[i]
           + (2 - nu_[j])*2*(1 + nu_[j])/E_[j]
         );
+    p.shearRatio = 4*GStar/EStar;
+    p.elasticity =
+        isHertz ? EStar : getPositive(dict, "normalStiffness", 1e-12, 1e30);
 
-    const wordList keys(laws.pairKeys());
+    const auto damp = [&](const scalar beta)
+    {
+        p.normalDamping = viscousPerRatio(isHertz)*beta;
+        p.resolution10 = pow(1 + (isHertz ? 5 : 20)*beta, 10);
+    };
 
     if (keys.found("friction"))
     {
@@ -89,9 +101,12 @@ Foam::dem::pairProperties Foam::dem::materials::readPair
                 "no finite damping gives less than 0.001: give 0.001 to 1"
             );
         }
-        const scalar l = -log(e);
-        p.beta = l/sqrt(sqr(constant::mathematical::pi) + sqr(l));
-        p.resolution10 = pow(1 + 5*p.beta, 10);
+        damp(dampingRatioOf(e, laws.pulling));
+    }
+    if (keys.found("dampingRatio"))
+    {
+        const scalar ratio = getInRange(dict, "dampingRatio", 0, 100, 1);
+        damp(2*ratio/viscousPerRatio(isHertz));
     }
 
     return p;
@@ -164,6 +179,7 @@ Foam::dem::materials::materials
 
     if (laws)
     {
+        laws_ = *laws;
         readPairs(dict.subDict("pairs"), *laws);
     }
 }

@@ -20,26 +20,42 @@ Foam::dem::contactLaws::contactLaws(const dictionary& dict)
     checkKeys
     (
         dict,
-        {"normal", "tangential", "damping", "instructions"}
+        {"normal", "tangential", "damping", "pulling", "instructions"}
     );
 
-    if (dict.found("normal"))
+    normal = getChoice(dict, "normal", {"hertz", "hooke"}, normal);
+    tangential =
+        getChoice
+        (
+            dict, "tangential", {"none", "coulomb", "mindlin"}, tangential
+        );
+    damping =
+        getChoice
+        (
+            dict,
+            "damping",
+            {"none", "hades", "critical", "restitution"},
+            damping
+        );
+    instructions =
+        getChoice
+        (
+            dict, "instructions", {"auto", "sse2", "avx2", "avx512"},
+            instructions
+        );
+
+    if (dict.found("pulling"))
     {
-        normal = getChoice(dict, "normal", {"hertz"});
-    }
-    if (dict.found("tangential"))
-    {
-        tangential = getChoice(dict, "tangential", {"none", "mindlin"});
-    }
-    if (dict.found("damping"))
-    {
-        damping =
-            getChoice(dict, "damping", {"none", "hades", "restitution"});
-    }
-    if (dict.found("instructions"))
-    {
-        instructions =
-            getChoice(dict, "instructions", {"auto", "sse2", "avx2", "avx512"});
+        pulling = getChoice(dict, "pulling", {"yes", "no"}) == "yes";
+        if (damping == "none")
+        {
+            badEntry
+            (
+                dict,
+                "pulling",
+                "says what a dashpot may do, and damping none has none"
+            );
+        }
     }
 }
 
@@ -50,6 +66,10 @@ Foam::wordList Foam::dem::contactLaws::pairKeys() const
 {
     DynamicList<word> keys;
 
+    if (normal == "hooke")
+    {
+        keys.append("normalStiffness");
+    }
     if (damping == "restitution")
     {
         keys.append("restitution");
@@ -57,7 +77,7 @@ Foam::wordList Foam::dem::contactLaws::pairKeys() const
     if (damping == "hades")
     {
         keys.append("normalDamping");
-        if (tangential != "none")
+        if (tangential == "mindlin")
         {
             keys.append("tangentialDamping");
         }
@@ -68,6 +88,12 @@ Foam::wordList Foam::dem::contactLaws::pairKeys() const
     }
 
     return wordList(keys);
+}
+
+
+Foam::wordList Foam::dem::contactLaws::freePairKeys() const
+{
+    return damping == "critical" ? wordList({"dampingRatio"}) : wordList();
 }
 
 

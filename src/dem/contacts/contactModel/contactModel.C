@@ -69,14 +69,17 @@ const namedSet& find(const word& name)
 sweepLaws numbered(const contactLaws& laws)
 {
     sweepLaws n;
+    n.normal =
+        laws.normal == "hooke" ? sweepLaws::hooke : sweepLaws::hertz;
     n.tangential =
-        laws.tangential == "mindlin"
-      ? sweepLaws::mindlin
+        laws.tangential == "mindlin" ? sweepLaws::mindlin
+      : laws.tangential == "coulomb" ? sweepLaws::coulomb
       : sweepLaws::noTangential;
     n.damping =
         laws.damping == "hades" ? sweepLaws::hades
-      : laws.damping == "restitution" ? sweepLaws::restitution
-      : sweepLaws::noDamping;
+      : laws.damping == "none" ? sweepLaws::noDamping
+      : sweepLaws::viscous;
+    n.pulling = laws.pulling;
     return n;
 }
 
@@ -253,7 +256,7 @@ Foam::dem::contactSummary Foam::dem::contactModel::addForces
     }
     if (sum.frequency10 > 0)
     {
-        sum.duration = set_->duration/pow(sum.frequency10, 0.1);
+        sum.duration = 1/pow(sum.frequency10, 0.1);
     }
     return sum;
 }

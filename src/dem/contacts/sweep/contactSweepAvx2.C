@@ -21,8 +21,7 @@ Description
 const Foam::dem::sweepSet Foam::dem::sweepAvx2
 {
     STYX_LANES,
-    &avx2::sweep,
-    avx2::normalLaws::hertz::duration
+    &avx2::sweep
 };
 
 

@@ -21,8 +21,7 @@ Description
 const Foam::dem::sweepSet Foam::dem::sweepAvx512
 {
     STYX_LANES,
-    &avx512::sweep,
-    avx512::normalLaws::hertz::duration
+    &avx512::sweep
 };
 
 

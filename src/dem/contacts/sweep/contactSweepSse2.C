@@ -19,8 +19,7 @@ Description
 const Foam::dem::sweepSet Foam::dem::sweepSse2
 {
     STYX_LANES,
-    &sse2::sweep,
-    sse2::normalLaws::hertz::duration
+    &sse2::sweep
 };
 
 
