@@ -59,7 +59,7 @@ public:
     (
         const packedBodies&,
         const contactSummary&
-    ) const
+    )
     {
         return stepChoice{(trial() ? 7.3 : 1)*deltaT_, "rejecting"};
     }

@@ -319,6 +319,64 @@ Foam::vector Foam::dem::packedBodies::acceleration(const label b) const
 }
 
 
+Foam::scalar Foam::dem::packedBodies::paths(std::vector<path>& all) const
+{
+    all.resize(nSpheres_);
+    scalar longest = GREAT;
+
+    const auto centre = [&](const label b, const vector& old, const vector& a)
+    {
+        path p{kicked(b, old, a, pending_, 0), a, 0};
+        if (drag_)
+        {
+            const vector drag = drag_->acceleration(b, p.v);
+            const scalar slip = mag(drag_->fluidVelocity(b) - p.v);
+            p.a += drag;
+            p.bend = mag(drag);
+
+            // The position is off by about k a h^3/4 after a step h
+            const scalar jerk = drag_->rate(b, slip)*mag(p.a);
+            longest = min(longest, cbrt(0.04*minRadius(b)/max(jerk, VSMALL)));
+        }
+        return p;
+    };
+
+    const label n = nSingles();
+    for (label k = 0; k < n; ++k)
+    {
+        const label s = singleSphere(k);
+        all[s] = centre
+        (
+            singleBody(k),
+            vectorOf(now_.v[s]),
+            g_ + now_.x[s].w*vectorOf(now_.f[s])
+        );
+    }
+
+    for (label k = 0; k < label(clumps_.size()); ++k)
+    {
+        const clump& c = clumps_[k];
+        vector F, T;
+        collect(now_, k, c, F, T);
+        const path p = centre(c.body, c.v, g_ + F/c.mass);
+
+        const vector L = c.L + pending_*T;
+        const vector omega = angularVelocity(c.q, L, c.inertia);
+        const scalar least = cmptMin(c.inertia);
+        const scalar spin = mag(L)/least;
+        longest = min(longest, 0.1/max(spin, VSMALL));
+        for (label s = c.first; s < c.last; ++s)
+        {
+            const vector arm = vectorOf(now_.x[s]) - c.x;
+            all[s] = p;
+            all[s].v += omega ^ arm;
+            all[s].bend += mag(arm)*(2*sqr(spin) + mag(T)/least);
+        }
+    }
+    return longest;
+}
+
+
 Foam::scalar Foam::dem::packedBodies::minRadius(const label b) const
 {
     const label p = place_[b];

@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "hadesSolver.H"
+#include "checkedEntry.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -50,9 +51,20 @@ void Foam::dem::hadesSolver::crossSeams(const scalar slack)
 }
 
 
-void Foam::dem::hadesSolver::begin(const scalar t)
+void Foam::dem::hadesSolver::begin(const scalar t, const scalar t1)
 {
+    if (state_.drag && integrator_->goesBack())
+    {
+        badEntry
+        (
+            input_.dict,
+            "integrator",
+            "goes back in time within a step, where the drag of a fluid would"
+            " speed bodies up: take stormerVerlet"
+        );
+    }
     packed_.pack(state_, g());
+    control_->begin(state_, {materials_, walls_, input_.period}, t1 - t);
     lastDt_ = 0;
     computeForces(t, 0, false);
     list_.accept();
@@ -80,7 +92,7 @@ void Foam::dem::hadesSolver::computeForces
         list_,
         walls_,
         dt,
-        0.5*(lastDt_ + dt),
+        integrator_->leaps() ? 0.5*(lastDt_ + dt) : 0,
         onTrial
     );
 }
@@ -89,6 +101,7 @@ void Foam::dem::hadesSolver::computeForces
 bool Foam::dem::hadesSolver::tryStep(const scalar t, const scalar dt)
 {
     const bool onTrial = control_->undoes();
+    const bool inStages = !integrator_->leaps();
     const contactSummary oldSummary = summary_;
     bool ok = true;
 
@@ -105,7 +118,7 @@ bool Foam::dem::hadesSolver::tryStep(const scalar t, const scalar dt)
             {
                 const packedBodies::motion& m = packed_.bounds();
                 list_.moved((m.speed + m.turning)*dt);
-                computeForces(time, dtForce, onTrial);
+                computeForces(time, dtForce, onTrial || inStages);
                 checkClosing(time);
                 ok = control_->acceptContacts(summary_, dt);
             }
@@ -116,16 +129,36 @@ bool Foam::dem::hadesSolver::tryStep(const scalar t, const scalar dt)
     if (!ok && onTrial)
     {
         packed_.undo();
+        walls_.moveTo(t);
         rejected_ = summary_;
         summary_ = oldSummary;
         return false;
     }
 
-    list_.accept();
-    walls_.accept();
+    if (inStages && slips_)
+    {
+        endOfStages(t + dt, dt);
+    }
+    else
+    {
+        list_.accept();
+        walls_.accept();
+    }
     control_->accepted(dt);
     lastDt_ = dt;
     return true;
+}
+
+
+void Foam::dem::hadesSolver::endOfStages(const scalar t, const scalar dt)
+{
+    const packedBodies::records end = packed_.meanVelocities();
+    computeForces(t, dt, true);
+    list_.accept();
+    walls_.accept();
+
+    packed_.setVelocities(end);
+    computeForces(t, 0, true);
 }
 
 
@@ -181,6 +214,7 @@ Foam::dem::hadesSolver::hadesSolver(const demInput& input)
       ? verletList(input.dict.subDict("neighbours"))
       : verletList(0.1)
     ),
+    slips_(readLaws(input.dict).tangential != "none"),
     integrator_(integrator::New(input.dict)),
     control_(stepControl::New(input.dict.subDict("stepControl")))
 {
@@ -191,6 +225,7 @@ Foam::dem::hadesSolver::hadesSolver(const demInput& input)
     readMirrors();
     readGenerators();
     readSinks();
+    checkIntegrator(readLaws(input.dict));
     if (!input.restart)
     {
         checkOverlaps();
@@ -215,7 +250,7 @@ void Foam::dem::hadesSolver::advance(const scalar t0, const scalar t1)
 
     // The forces that are held have changed, perhaps the velocities too
     walls_.beginAdvance(t0, t1);
-    begin(t0);
+    begin(t0, t1);
 
     scalar t = t0;
     while (t < t1)

@@ -59,6 +59,37 @@ void Foam::dem::hadesSolver::readSinks()
 }
 
 
+void Foam::dem::hadesSolver::checkIntegrator(const contactLaws& laws) const
+{
+    if
+    (
+        integrator_->goesBack()
+     && (laws.damping != "none" || laws.tangential != "none")
+    )
+    {
+        badEntry
+        (
+            input_.dict,
+            "integrator",
+            "goes back in time within a step, where damping and friction would"
+            " give energy: take damping none and tangential none in contact,"
+            " or stormerVerlet"
+        );
+    }
+    if (integrator_->order() < 2 && control_->type() == "contact")
+    {
+        badEntry
+        (
+            input_.dict,
+            "integrator",
+            "is of first order, so that it leaves the parabolas that"
+            " stepControl contact counts on in free flight: take hades or"
+            " fixed, or stormerVerlet"
+        );
+    }
+}
+
+
 void Foam::dem::hadesSolver::checkOverlaps()
 {
     if (!state_.size())

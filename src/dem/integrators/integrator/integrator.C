@@ -40,7 +40,7 @@ Foam::autoPtr<Foam::dem::integrator> Foam::dem::integrator::New
             wordConstructorTablePtr_->sortedToc()
         );
     }
-    return (*wordConstructorTablePtr_)[name]();
+    return (*wordConstructorTablePtr_)[name](name);
 }
 
 

@@ -111,7 +111,7 @@ Foam::dem::stepChoice Foam::dem::hadesStep::propose
 (
     const packedBodies& state,
     const contactSummary& contacts
-) const
+)
 {
     const scalar inContact = safety_*contacts.duration/contactSteps_;
     stepChoice choice =

@@ -1,0 +1,259 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "freeFlight.H"
+#include "sizeLevels.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using Foam::scalar;
+
+//- First positive root t of d = c t + b t^2/2; GREAT if there is none
+scalar firstRoot(const scalar d, const scalar c, const scalar b)
+{
+    const scalar discriminant = c*c + 2*b*d;
+    if (discriminant < 0)
+    {
+        return Foam::GREAT;
+    }
+    const scalar sum = c + Foam::sqrt(discriminant);
+    return 2*d < sum*Foam::GREAT ? 2*d/sum : Foam::GREAT;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+inline void Foam::dem::freeFlight::meet
+(
+    const label sphere,
+    const scalar d,
+    const scalar c,
+    const scalar b,
+    const scalar r
+)
+{
+    ++nLooked_;
+
+    // What touches already is no new contact
+    if (d < 0)
+    {
+        return;
+    }
+    const scalar t = firstRoot(d, c, b);
+    if (t >= horizon_)
+    {
+        return;
+    }
+
+    if (t < time_)
+    {
+        time_ = t;
+        body_ = state_.bodyOf(sphere);
+    }
+
+    // A contact that begins deeper than a tenth of the smaller sphere is
+    // none that a step could find
+    const scalar speed = c + b*t;
+    const scalar within =
+        0.1*r < begin_*speed ? 0.1*r/max(speed, VSMALL) : begin_;
+    landing_ = min(landing_, t + within);
+}
+
+
+Foam::scalarList Foam::dem::freeFlight::reaches
+(
+    const vector& v,
+    const vector& a
+) const
+{
+    scalarList reach(state_.nSpheres());
+    forAll(reach, s)
+    {
+        const packedBodies::path& p = paths_[s];
+        reach[s] =
+            state_.radius(s)
+          + horizon_*(mag(p.v - v) + 0.5*horizon_*(mag(p.a - a) + p.bend));
+    }
+    return reach;
+}
+
+
+void Foam::dem::freeFlight::meetSpheres(const periodicity& period)
+{
+    const label n = state_.nSpheres();
+    vector v(Zero), a(Zero);
+    for (const packedBodies::path& p : paths_)
+    {
+        v += p.v/n;
+        a += p.a/n;
+    }
+    const scalarList reach(reaches(v, a));
+
+    // The spheres, and behind them the images of those near a seam
+    DynamicList<point> x(n);
+    DynamicList<label> source(n);
+    DynamicList<scalar> r(n);
+    for (label s = 0; s < n; ++s)
+    {
+        x.append(state_.centre(s));
+        source.append(s);
+        r.append(reach[s]);
+    }
+    if (period.active())
+    {
+        scalar overhang = 0;
+        for (label s = 0; s < n; ++s)
+        {
+            overhang = max(overhang, period.overhang(x[s], reach[s]));
+        }
+        for (label s = 0; s < n; ++s)
+        {
+            period.forEachImage
+            (
+                state_.centre(s),
+                reach[s] + overhang,
+                [&](const label image)
+                {
+                    x.append(state_.centre(s) + period.shift(image));
+                    source.append(s);
+                    r.append(reach[s]);
+                }
+            );
+        }
+    }
+
+    sizeLevels(x, r, 0).forEachPair
+    (
+        [&](const label k, const label l)
+        {
+            const label i = source[k], j = source[l];
+            if ((k >= n && l >= n) || state_.bodyOf(i) == state_.bodyOf(j))
+            {
+                return;
+            }
+            const vector away = x[k] - x[l];
+            const scalar distance = max(mag(away), VSMALL);
+            const vector normal = away/distance;
+            const packedBodies::path& p = paths_[i];
+            const packedBodies::path& q = paths_[j];
+            meet
+            (
+                i,
+                distance - state_.radius(i) - state_.radius(j),
+                normal & (q.v - p.v),
+                (normal & (q.a - p.a)) + p.bend + q.bend,
+                min(state_.radius(i), state_.radius(j))
+            );
+        }
+    );
+}
+
+
+void Foam::dem::freeFlight::meetWalls
+(
+    const wallSet& walls,
+    const periodicity& period
+)
+{
+    const scalarList reach(reaches(Zero, Zero));
+    DynamicList<label> elements;
+    forAll(reach, s)
+    {
+        const packedBodies::path& path = paths_[s];
+        const scalar r = state_.radius(s);
+
+        const auto meetFrom = [&](const wall& w, const point& x)
+        {
+            const scalar speed = w.moving() ? w.speed() : 0;
+            elements.clear();
+            w.candidates(x, reach[s] + speed*horizon_, elements);
+            for (const label e : elements)
+            {
+                point p;
+                vector normal;
+                const scalar d = w.nearest(x, e, p, normal) - r;
+                const scalar c =
+                    w.convex() ? -(normal & path.v) : mag(path.v);
+                const scalar b =
+                    w.convex() ? -(normal & path.a) : mag(path.a);
+                meet(s, d, c + speed, b + path.bend, r);
+            }
+        };
+        for (const wall& w : walls.walls())
+        {
+            meetFrom(w, state_.centre(s));
+            if (!w.bounded())
+            {
+                continue;
+            }
+            period.forEachImage
+            (
+                state_.centre(s),
+                reach[s],
+                [&](const label image)
+                {
+                    meetFrom(w, state_.centre(s) + period.shift(image));
+                }
+            );
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::dem::freeFlight::freeFlight
+(
+    const packedBodies& state,
+    const wallSet& walls,
+    const periodicity& period,
+    const scalar horizon,
+    const scalar begin
+)
+:
+    state_(state),
+    horizon_(min(min(horizon, state.paths(paths_)), walls.untilAppears())),
+    begin_(begin)
+{
+    if (period.active())
+    {
+        // No image but the next may come near
+        const scalar way = 0.25*period.width();
+        for (const packedBodies::path& p : paths_)
+        {
+            horizon_ =
+                min(horizon_, firstRoot(way, mag(p.v), mag(p.a) + p.bend));
+        }
+    }
+    time_ = landing_ = horizon_;
+    meetSpheres(period);
+    meetWalls(walls, period);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::dem::freeFlight::step() const
+{
+    // The rest of a long flight is half of the step that ends in contact
+    const scalar within = landing_ - time_;
+    return
+        time_ >= horizon_ ? horizon_
+      : time_ > begin_ ? time_ - 0.5*min(within, begin_)
+      : min(landing_, begin_);
+}
+
+
+// ************************************************************************* //
