@@ -214,7 +214,7 @@ Foam::dem::hadesSolver::hadesSolver(const demInput& input)
       ? verletList(input.dict.subDict("neighbours"))
       : verletList(0.1)
     ),
-    slips_(readLaws(input.dict).tangential != "none"),
+    slips_(readLaws(input.dict).tangential == "mindlin"),
     integrator_(integrator::New(input.dict)),
     control_(stepControl::New(input.dict.subDict("stepControl")))
 {
