@@ -1,0 +1,217 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+Description
+    Hard input: thousands of bodies in overlap, a wall that moves into a bed,
+    sizes a million apart, steps far too long. The run is stable or stops with
+    a reason, and nothing is lost.
+
+\*---------------------------------------------------------------------------*/
+
+#include "demCase.H"
+
+#include <cmath>
+#include <random>
+
+using namespace styxTest;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Stuff of which balls of 1 cm and 1 m, 1 um and walls are made
+std::string stuff(const std::string& contact, const std::string& pair)
+{
+    return
+        "demSolver hades;\ncontact { " + contact + " }\n"
+        "materials { stuff { density 2500; youngsModulus 1e8;"
+        " poissonsRatio 0.3; } }\n"
+        "pairs { stuff-stuff { " + pair + " } }\n"
+        "shapes { ball { type sphere; diameter 0.01; }\n"
+        "rock { type sphere; diameter 1; }\n"
+        "dust { type sphere; diameter 1e-6; } }\n";
+}
+
+
+std::string body
+(
+    const std::string& name,
+    const std::string& shape,
+    const vector& x,
+    const vector& v
+)
+{
+    return
+        name + " { shape " + shape + "; material stuff; position " + text(x)
+      + "; velocity " + text(v) + "; }\n";
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(demHard, startInOverlap)
+{
+    // 10,000 at random where 3,000 would have room
+    std::mt19937 random(1);
+    const auto uniform = [&]() { return random()/4294967296.0; };
+    std::string dict =
+        stuff("", "restitution 0.5; friction 0.5;")
+      + "stepControl { type contact; }\nbodies\n{\n";
+    for (int n = 0; n < 10000; ++n)
+    {
+        dict += body
+        (
+            "b" + std::to_string(n),
+            "ball",
+            0.15*vector(uniform(), uniform(), uniform()),
+            Foam::Zero
+        );
+    }
+    const std::string said = messageOf([&]() { demCase(dict + "}\n"); });
+    for (const char* const part : {"overlap at the start", "body ", "%"})
+    {
+        EXPECT_NE(said.find(part), std::string::npos) << part << said;
+    }
+}
+
+
+TEST(demHard, wallIntoBed)
+{
+    // 4 x 4 x 6 balls in a box, on which a lid comes down at 1 m/s until the
+    // bed is 2 % shorter. Its work is in the balls
+    const scalar w = 0.04, h = 0.0606;
+    std::string dict =
+        stuff("damping none; tangential none;", "")
+      + "stepControl { type contact; }\nwalls\n{\n"
+        "box { type box; min (0 0 0); max " + text(vector(w, w, 1))
+      + "; side inside; material stuff; }\n"
+        "lid { type rectangle; corner " + text(vector(0, 0, h))
+      + "; edge1 " + text(vector(w, 0, 0)) + "; edge2 "
+      + text(vector(0, w, 0)) + "; material stuff;\n"
+        "motion { type translate; velocity (0 0 -1); stop "
+      + text(0.02*h) + "; } }\n}\nbodies\n{\n";
+    for (int n = 0; n < 96; ++n)
+    {
+        const vector x(n % 4, n/4 % 4, n/16);
+        dict += body
+        (
+            "b" + std::to_string(n),
+            "ball",
+            0.01*x + vector(0.005, 0.005, 0.005 + 1e-4*x.z()),
+            Foam::Zero
+        );
+    }
+    demCase c(dict + "}\n");
+    scalar overlap = 0;
+    for (int n = 0; n < 30; ++n)
+    {
+        c.run(1e-4);
+        overlap = std::max(overlap, c.solver().report().overlap);
+    }
+    label nOut = 0;
+    for (label b = 0; b < 96; ++b)
+    {
+        const point& x = c.state().x[b];
+        nOut += !(x.z() > 0.004 && x.z() < 0.98*h && std::abs(x.x() - 0.5*w)
+          < 0.5*w && std::abs(x.y() - 0.5*w) < 0.5*w);
+    }
+    figure("hardLid_lost", nOut, 0, 0, "balls", "all are below the lid");
+    figure
+    (
+        "hardLid_overlap",
+        overlap,
+        0.005,
+        0.1,
+        "radii",
+        "pressed by 2 % of the height: 0.04 a contact, more in the wave"
+    );
+
+    // No energy but what the lid gave while it moved
+    const auto speed2 = [&]()
+    {
+        return c.state().kineticEnergy();
+    };
+    scalar most = 0;
+    for (int n = 0; n < 20; ++n)
+    {
+        c.run(1e-4);
+        most = std::max(most, speed2());
+    }
+    scalar later = 0;
+    for (int n = 0; n < 100; ++n)
+    {
+        c.run(1e-4);
+        later = std::max(later, speed2());
+    }
+    figure
+    (
+        "hardLid_energy",
+        later/most,
+        0,
+        2,
+        "-",
+        "kinetic energy does not grow after the lid has stopped"
+    );
+}
+
+
+TEST(demHard, sizesMillionApart)
+{
+    // Dust of 1 um flies onto a rock of 1 m that lies on the floor
+    demCase c
+    (
+        stuff("damping none; tangential none;", "")
+      + "stepControl { type contact; }\n"
+        "walls { floor { type plane; point (0 0 0); normal (0 0 1);"
+        " material stuff; } }\nbodies\n{\n"
+      + body("r", "rock", {0, 0, 0.5 - 1e-6}, Foam::Zero)
+      + body("d", "dust", {0, 0, 1 + 1e-5}, {0, 0, -1})
+      + "}\n",
+        gravity
+    );
+    c.run(3e-5);
+    figure
+    (
+        "hardSizes_bounce",
+        c.state().v[1].z(),
+        0.99,
+        1.01,
+        "m/s",
+        "comes back as it came, 1 m/s"
+    );
+    EXPECT_LT(mag(c.state().v[0]), 1e-3);
+}
+
+
+TEST(demHard, fixedHundredTimesTooLong)
+{
+    // A twentieth of the contact would do
+    const std::string said = messageOf([&]()
+    {
+        demCase c
+        (
+            stuff("", "restitution 0.5; friction 0.5;")
+          + "stepControl { type fixed; deltaT 1e-3; }\n"
+            "walls { floor { type plane; point (0 0 0); normal (0 0 1);"
+            " material stuff; } }\nbodies\n{\n"
+          + body("b", "ball", {0, 0, 0.02}, {0, 0, -1}) + "}\n",
+            gravity
+        );
+        c.run(0.1);
+    });
+    for (const char* const part : {"fixed deltaT is 0.001", "body 0", "need"})
+    {
+        EXPECT_NE(said.find(part), std::string::npos) << part << said;
+    }
+}
+
+
+// ************************************************************************* //
