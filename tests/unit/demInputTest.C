@@ -169,6 +169,20 @@ TEST(demInput, pairs)
 TEST(demInput, entriesOfLaws)
 {
     spoil("normal hertz", "normal hooke", {"normalStiffness"}, false);
+    spoil("tangential mindlin;", "tangential none; rolling constant;",
+        {"rolling", "friction", "tangential none"});
+    spoil("tangential mindlin;", "tangential none; torsion constant;",
+        {"torsion", "friction", "tangential none"});
+    spoil("normal hertz;", "normal hertz; rolling constant;",
+        {"rollingFriction"}, false);
+    spoil("normal hertz;", "normal hertz; torsion constant;",
+        {"torsionalFriction"}, false);
+    spoil("normal hertz;", "normal hertz; cohesion simplifiedJKR;",
+        {"cohesionEnergyDensity"}, false);
+    spoil("normal hertz;", "normal hertz; cohesion glue;",
+        {"glue", "none", "simplifiedJKR"});
+    spoil("normal hertz;", "normal hertz; rolling some;",
+        {"some", "none", "constant"});
     spoil("damping restitution;", "damping none; pulling no;",
         {"pulling", "dashpot"});
     spoil("damping restitution;", "damping hades;",

@@ -81,6 +81,19 @@ Foam::dem::pairProperties Foam::dem::materials::readPair
     {
         p.friction = getNonNegative(dict, "friction");
     }
+    if (keys.found("rollingFriction"))
+    {
+        p.rollingFriction = getNonNegative(dict, "rollingFriction");
+    }
+    if (keys.found("torsionalFriction"))
+    {
+        p.torsionalFriction = getNonNegative(dict, "torsionalFriction");
+    }
+    if (keys.found("cohesionEnergyDensity"))
+    {
+        p.cohesionEnergyDensity =
+            getNonNegative(dict, "cohesionEnergyDensity");
+    }
     if (keys.found("normalDamping"))
     {
         p.normalDamping = getNonNegative(dict, "normalDamping");

@@ -20,7 +20,10 @@ Foam::dem::contactLaws::contactLaws(const dictionary& dict)
     checkKeys
     (
         dict,
-        {"normal", "tangential", "damping", "pulling", "instructions"}
+        {
+            "normal", "tangential", "damping", "pulling", "rolling",
+            "torsion", "cohesion", "instructions"
+        }
     );
 
     normal = getChoice(dict, "normal", {"hertz", "hooke"}, normal);
@@ -44,6 +47,25 @@ Foam::dem::contactLaws::contactLaws(const dictionary& dict)
             instructions
         );
 
+    rolling = getChoice(dict, "rolling", {"none", "constant"}, rolling);
+    torsion = getChoice(dict, "torsion", {"none", "constant"}, torsion);
+    cohesion =
+        getChoice(dict, "cohesion", {"none", "simplifiedJKR"}, cohesion);
+
+    for (const char* key : {"rolling", "torsion"})
+    {
+        const word& law = key == word("rolling") ? rolling : torsion;
+        if (law != "none" && tangential == "none")
+        {
+            badEntry
+            (
+                dict,
+                key,
+                "needs friction: with tangential none nothing makes a body"
+                " turn, and rolling is not resisted"
+            );
+        }
+    }
     if (dict.found("pulling"))
     {
         pulling = getChoice(dict, "pulling", {"yes", "no"}) == "yes";
@@ -85,6 +107,18 @@ Foam::wordList Foam::dem::contactLaws::pairKeys() const
     if (tangential != "none")
     {
         keys.append("friction");
+    }
+    if (rolling != "none")
+    {
+        keys.append("rollingFriction");
+    }
+    if (torsion != "none")
+    {
+        keys.append("torsionalFriction");
+    }
+    if (cohesion != "none")
+    {
+        keys.append("cohesionEnergyDensity");
     }
 
     return wordList(keys);

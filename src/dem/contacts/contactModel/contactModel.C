@@ -80,6 +80,9 @@ sweepLaws numbered(const contactLaws& laws)
       : laws.damping == "none" ? sweepLaws::noDamping
       : sweepLaws::viscous;
     n.pulling = laws.pulling;
+    n.rolls = laws.rolling != "none";
+    n.twists = laws.torsion != "none";
+    n.coheres = laws.cohesion != "none";
     return n;
 }
 

@@ -1,0 +1,249 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+Description
+    The tests of Chung & Ooi 2011 after the first two: restitution, oblique
+    impacts that slide all the time, spinning spheres. Friction pushes no
+    longer than the normal force, so that these have no pull (pulling no).
+
+\*---------------------------------------------------------------------------*/
+
+#include "demImpact.H"
+
+using namespace styxTest;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+const char* const chungOoi = "closed form, Chung & Ooi 2011";
+
+const char* const pushing = "contact { pulling no; }";
+
+//- Velocity of the point that touches the plane [m/s]
+scalar slipOf(demCase& c, const impact& i)
+{
+    return c.state().v[0].x() - i.r*c.state().omega[0].y();
+}
+
+//- Run an impact to its end
+void hit(demCase& c, const impact& i)
+{
+    c.run(i.timeToTouch() + 3*i.contactTime());
+    EXPECT_LT(overlapOf(c, i), 0);
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(demChungOoi, test3)
+{
+    // Figures "chungOoi3_oxide", "chungOoi3_iron"
+    const impact materials[] =
+    {
+        {true, 0.0025, 3.9, 380e9, 0.23, 4000},
+        {true, 0.0025, 3.9, 100e9, 0.25, 7000}
+    };
+    for (impact i : materials)
+    {
+        scalar worst = 0;
+        for (const scalar e : {0.2, 0.4, 0.6, 0.8, 1.0})
+        {
+            i.contact = "contact { tangential none; pulling no; }";
+            i.pair = "restitution " + text(e) + ";";
+            worst = std::max(worst, restitutionError(i, e));
+        }
+        figure
+        (
+            i.E > 2e11 ? "chungOoi3_oxide" : "chungOoi3_iron",
+            100*worst,
+            0,
+            1,
+            "% of e",
+            "e in = e out, Chung & Ooi 2011"
+        );
+    }
+}
+
+
+TEST(demChungOoi, test5)
+{
+    // X, Y, W: velocity across before, that of the touching point and of the
+    // spin after, over mu v_n. Figures "chungOoi5_steel_8_slip", ... The soft
+    // one has an overlap of 2.7 % of its radius, by which the arm of the
+    // friction is shorter than in the closed form: no bar
+    const impact materials[] =
+    {
+        {true, 1e-5, 5, 208e9, 0.3, 7850},
+        {true, 1e-5, 5, 1e9, 0.4, 1400}
+    };
+    for (impact i : materials)
+    {
+        i.contact = pushing;
+        i.pair = "restitution 1; friction 0.3;";
+        const bool steel = i.E > 1e10;
+        for (const int X : {8, 12, 20})
+        {
+            i.slide = X*0.3*i.speed;
+            demCase c(i.dict());
+            hit(c, i);
+
+            const std::string name =
+                std::string("chungOoi5_")
+              + (steel ? "steel_" : "polyethylene_") + std::to_string(X);
+            const scalar change = X - slipOf(c, i)/(0.3*i.speed);
+            const scalar W = -i.r*c.state().omega[0].y()/(0.3*i.speed);
+            figure
+            (
+                name + "_slip",
+                change,
+                steel ? 6.93 : -noBar,
+                steel ? 7.07 : noBar,
+                "X - Y",
+                "7; " + std::string(chungOoi)
+            );
+            figure
+            (
+                name + "_W",
+                W,
+                steel ? -5.05 : -noBar,
+                steel ? -4.95 : noBar,
+                "W",
+                "-5; " + std::string(chungOoi)
+            );
+        }
+    }
+}
+
+
+TEST(demChungOoi, test6)
+{
+    // A sphere that spins but does not slide: A = 3.5 mu (1 + e) v_n/v_t,
+    // -v_t'/v_t = A - 1. Steps of 1/40 contact. Figures
+    // "chungOoi6_alloy_0.175", ...
+    const impact materials[] =
+    {
+        {true, 0.1, 0.2, 70e9, 0.33, 2700},
+        {true, 0.1, 0.2, 2.5e9, 0.4, 1000}
+    };
+    for (impact i : materials)
+    {
+        i.contact = pushing;
+        i.pair = "restitution 0.5; friction 0.4;";
+        i.stepControl = "type hades; contactSteps 40;";
+        for (const scalar A : {0.176, 0.5, 0.75})
+        {
+            const scalar slip = 2.1*i.speed/A;
+            i.spin = -slip/i.r;
+            demCase c(i.dict());
+            hit(c, i);
+            figureNear
+            (
+                std::string("chungOoi6_") + (i.E > 1e10 ? "alloy_" : "nylon_")
+              + text(A).substr(0, 5),
+                -slipOf(c, i)/slip,
+                A - 1,
+                0.01,
+                "-",
+                chungOoi
+            );
+            figureNear
+            (
+                std::string("chungOoi6_") + (i.E > 1e10 ? "alloy_" : "nylon_")
+              + text(A).substr(0, 5) + "_tanOut",
+                slipOf(c, i)/c.state().v[0].z(),
+                (slip/i.speed - 2.1)/0.5,
+                0.01,
+                "-",
+                chungOoi
+            );
+        }
+    }
+}
+
+
+TEST(demChungOoi, test7)
+{
+    // Opposite spins: the surfaces do not slip
+    impact i{false, 0.1, 0.4, 70e9, 0.33, 2700};
+    i.contact = pushing;
+    i.pair = "restitution 0.5; friction 0.4;";
+    scalar worst = 0, across = 0;
+    for (const scalar spin : {1.0, 10.0, 24.0})
+    {
+        i.spin = spin;
+        i.otherSpin = -spin;
+        demCase c(i.dict());
+        hit(c, i);
+        for (const label b : {0, 1})
+        {
+            worst = std::max
+            (
+                worst,
+                std::abs(c.state().omega[b].y()/(b ? -spin : spin) - 1)
+            );
+            across = std::max(across, std::abs(c.state().v[b].x()));
+        }
+        EXPECT_NEAR(speedOf(c, i)/i.speed, 0.5, 0.005);
+    }
+    figure
+    (
+        "chungOoi7_spin", worst, 0, 0.01, "of the spin before", chungOoi
+    );
+    figure
+    (
+        "chungOoi7_velocity", across, 0, 0.002, "m/s", chungOoi
+    );
+}
+
+
+TEST(demChungOoi, test8)
+{
+    // A large sphere, 1000 times as heavy and as stiff, for the plane of 6
+    for (const scalar A : {0.176, 0.5, 0.75})
+    {
+        const scalar u = 0.2, slip = 2.1*u/A;
+        demCase c
+        (
+            "demSolver hades;\n" + std::string(pushing) + "\n"
+            "materials {\n"
+            "    alloy { density 2700; youngsModulus 70e9;"
+            " poissonsRatio 0.33; }\n"
+            "    wall { density 2700e3; youngsModulus 70e12;"
+            " poissonsRatio 0.33; } }\n"
+            "pairs { alloy-alloy { restitution 0.5; friction 0.4; }"
+            " alloy-wall { restitution 0.5; friction 0.4; }"
+            " wall-wall { restitution 0.5; friction 0.4; } }\n"
+            "shapes { small { type sphere; diameter 0.2; }"
+            " large { type sphere; diameter 1; } }\n"
+            "stepControl { type hades; }\n"
+            "bodies { a { shape small; material alloy;"
+            " position (0 0 0.6002); velocity (0 0 -0.2);"
+            " angularVelocity (0 " + text(-slip/0.1) + " 0); }"
+            " b { shape large; material wall; position (0 0 0); } }\n"
+        );
+        c.run(0.005);
+        const scalar w = c.state().v[0].z();
+        EXPECT_NEAR(w/u, 0.5, 0.005);
+        figureNear
+        (
+            "chungOoi8_" + text(A).substr(0, 5),
+            -(c.state().v[0].x() - 0.1*c.state().omega[0].y())/slip,
+            A - 1,
+            0.01,
+            "-",
+            chungOoi
+        );
+    }
+}
+
+
+// ************************************************************************* //
