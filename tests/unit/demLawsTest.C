@@ -290,8 +290,7 @@ TEST(demLaws, critical)
 
 TEST(demLaws, hades)
 {
-    // Figures "hades_hertz", "hades_hertz_pushing", "hades_hooke": with twice
-    // the steps of the default, as no pair's number says how damped it is
+    // Figures "hades_hertz", "hades_hertz_pushing", "hades_hooke"
     const std::pair<bool, bool> cases[] =
         {{false, true}, {false, false}, {true, true}};
 
@@ -303,7 +302,6 @@ TEST(demLaws, hades)
         for (const scalar part : {0.2, 1.0})
         {
             impact i = ball(true, speed, hooke);
-            i.stepControl = "type hades; contactSteps 40;";
             i.contact = laws(hooke, pulling ? "hades" : "hades; pulling no");
 
             // A number of the size of 1/(contact time sqrt(overlap))

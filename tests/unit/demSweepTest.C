@@ -74,6 +74,66 @@ std::string pairsThatHit(const std::string& laws)
     return dict + "}\n";
 }
 
+//- The same with other laws, and with what their pairs read; alike, if the
+//  materials are to be of the same kind
+std::string otherLaws(const std::string& instructions, const bool alike)
+{
+    std::string dict = pairsThatHit
+    (
+        "instructions " + instructions + "; normal hooke;"
+        " tangential coulomb; damping critical; pulling no;"
+        " rolling constant; torsion constant; cohesion simplifiedJKR;"
+    );
+    const auto change = [&](const std::string& from, const std::string& to)
+    {
+        const size_t at = dict.find(from);
+        EXPECT_NE(at, std::string::npos) << from;
+        dict.replace(at, from.size(), to);
+    };
+    const std::string first
+    (
+        "dampingRatio 0.1; normalStiffness 2e4; rollingFriction 0.1;"
+        " torsionalFriction 0.05; cohesionEnergyDensity 1e4; friction 0.3;"
+    );
+    const std::string second
+    (
+        "dampingRatio 0.3; normalStiffness 1e4; rollingFriction 0.02;"
+        " torsionalFriction 0.1; cohesionEnergyDensity 1e5; friction 0.5;"
+    );
+    change("restitution 0.8; friction 0.3;", first);
+    change("restitution 0.6; friction 0.5;", alike ? first : second);
+    change("restitution 0.4; friction 0.1;", first);
+    if (alike)
+    {
+        change
+        (
+            "b { density 1200; youngsModulus 3e6; poissonsRatio 0.2; }",
+            "b { density 2500; youngsModulus 1e7; poissonsRatio 0.3; }"
+        );
+    }
+    return dict;
+}
+
+
+//- Largest difference of two states, of a radius, 1 m/s and 100 rad/s
+scalar difference(demCase& c, demCase& d)
+{
+    scalar worst = 0;
+    for (label b = 0; b < c.state().size(); ++b)
+    {
+        worst = std::max
+        (
+            {
+                worst,
+                mag(c.state().x[b] - d.state().x[b])/0.002,
+                mag(c.state().v[b] - d.state().v[b]),
+                mag(c.state().omega[b] - d.state().omega[b])/100
+            }
+        );
+    }
+    return worst;
+}
+
 } // End anonymous namespace
 
 
@@ -102,29 +162,71 @@ TEST(demSweep, instructions)
         demCase c(pairsThatHit("instructions " + name + ";"), gravity);
         c.run(0.008);
 
-        scalar worst = 0;
-        for (label b = 0; b < c.state().size(); ++b)
-        {
-            worst = std::max
-            (
-                {
-                    worst,
-                    mag(c.state().x[b] - expected.state().x[b])/0.002,
-                    mag(c.state().v[b] - expected.state().v[b]),
-                    mag(c.state().omega[b] - expected.state().omega[b])/100
-                }
-            );
-        }
         figure
         (
             "sweep_" + name,
-            worst,
+            difference(c, expected),
             0,
             1e-9,
             "of radius, 1 m/s, 100 rad/s",
             "the same with sse2"
         );
     }
+}
+
+
+TEST(demSweep, otherLaws)
+{
+    // All that stages may do, with lanes of different pairs of materials
+    demCase expected(otherLaws("sse2", false), gravity);
+    expected.run(0.008);
+    for (const std::string name : {"avx2", "avx512"})
+    {
+        if (!has(name))
+        {
+            std::cout << "no " << name << " here" << std::endl;
+            continue;
+        }
+        demCase c(otherLaws(name, false), gravity);
+        c.run(0.008);
+        figure
+        (
+            "sweepOfStages_" + name,
+            difference(c, expected),
+            0,
+            1e-9,
+            "of radius, 1 m/s, 100 rad/s",
+            "the same with sse2"
+        );
+    }
+
+    // Two materials that are alike are as good as one
+    const std::string two = otherLaws("auto", true);
+    std::string one = two;
+    for (size_t at; (at = one.find("material b")) != std::string::npos;)
+    {
+        one.replace(at, 10, "material a");
+    }
+    for (const char* pair : {"a-b", "b-b"})
+    {
+        const size_t at = one.find(pair);
+        one.erase(at, one.find("}", at) + 1 - at);
+    }
+    const size_t at = one.find("b { density");
+    one.erase(at, one.find("}", at) + 1 - at);
+
+    demCase c(two, gravity), d(one, gravity);
+    c.run(0.008);
+    d.run(0.008);
+    figure
+    (
+        "sweepOfOneMaterial",
+        difference(c, d),
+        0,
+        1e-12,
+        "of radius, 1 m/s, 100 rad/s",
+        "the same as of two that are alike"
+    );
 }
 
 
