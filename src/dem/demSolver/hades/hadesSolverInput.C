@@ -64,7 +64,12 @@ void Foam::dem::hadesSolver::checkIntegrator(const contactLaws& laws) const
     if
     (
         integrator_->goesBack()
-     && (laws.damping != "none" || laws.tangential != "none")
+     && (
+            laws.damping != "none"
+         || laws.tangential != "none"
+         || laws.rolling != "none"
+         || laws.torsion != "none"
+        )
     )
     {
         badEntry
@@ -72,8 +77,8 @@ void Foam::dem::hadesSolver::checkIntegrator(const contactLaws& laws) const
             input_.dict,
             "integrator",
             "goes back in time within a step, where damping and friction would"
-            " give energy: take damping none and tangential none in contact,"
-            " or stormerVerlet"
+            " give energy: take damping, tangential, rolling and torsion none"
+            " in contact, or stormerVerlet"
         );
     }
     if (integrator_->order() < 2 && control_->type() == "contact")
