@@ -12,42 +12,7 @@ License
 #include "quadRecords.H"
 #include "rotation.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-using namespace Foam;
-using dem::quad;
-
-// Nothing here is called from another file
-#pragma GCC diagnostic ignored "-Wpsabi"
-
-//- Four numbers at once; the compiler makes of it what the processor has
-typedef double four __attribute__((vector_size(32)));
-
-inline four in(const quad& q)
-{
-    four a;
-    __builtin_memcpy(&a, &q, sizeof(a));
-    return a;
-}
-
-inline void out(quad& q, const four a)
-{
-    __builtin_memcpy(&q, &a, sizeof(a));
-}
-
-inline double square(const four a)
-{
-    const four s = a*a;
-    return s[0] + s[1] + s[2];
-}
-
-} // End anonymous namespace
-
 using Foam::dem::quadRecords::record;
-using Foam::dem::quadRecords::surface;
 using Foam::dem::quadRecords::vectorOf;
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -103,53 +68,61 @@ void Foam::dem::packedBodies::leapSingles
     const scalar dt
 )
 {
-    const scalar h = pending_ + 0.5*dt;
-    const four g = {g_.x(), g_.y(), g_.z(), 0};
-    const four step = {dt, dt, dt, 0};
-    const four zero = {};
-    const bool held = !heldForce_.empty();
-
-    double speed = 0, turning = 0, acceleration = 0;
     const label n = nSingles();
-    for (label k = 0; k < n; ++k)
+    const vector& g = g_;
+    if (drag_)
     {
-        const label s = singleSphere(k);
-        const four x = in(from.x[s]);
-        const four a = g + x[3]*in(from.f[s]);
-        four v = in(from.v[s]);
-
-        if (drag_)
+        for (label k = 0; k < n; ++k)
         {
-            const vector moved = kicked
+            const label s = singleSphere(k);
+            const quad& v = from.v[s];
+            const scalar mInverse = from.x[s].w;
+            now_.v[s] = record
             (
-                singleBody(k),
-                vector(v[0], v[1], v[2]),
-                vector(a[0], a[1], a[2]),
-                pending_,
-                0.5*dt
+                kicked
+                (
+                    singleBody(k),
+                    vectorOf(v),
+                    g + mInverse*vectorOf(from.f[s]),
+                    pending_,
+                    0.5*dt
+                ),
+                v.w
             );
-            v = four{moved.x(), moved.y(), moved.z(), v[3]};
         }
-        else
-        {
-            v += h*a;
-        }
-        const four w = in(from.w[s]) + (surface*h*x[3])*in(from.t[s]);
-
-        out(now_.x[s], x + step*v);
-        out(now_.v[s], v);
-        out(now_.w[s], w);
-        out(now_.f[s], held ? in(heldForce_[s]) : zero);
-        out(now_.t[s], held ? in(heldTorque_[s]) : zero);
-
-        speed = max(speed, square(v));
-        turning = max(turning, square(w));
-        acceleration = max(acceleration, square(a));
     }
 
-    motion_.speed = max(motion_.speed, sqrt(speed));
-    motion_.turning = max(motion_.turning, sqrt(turning));
-    motion_.acceleration = max(motion_.acceleration, sqrt(acceleration));
+    leapData data;
+    data.x = from.x.data();
+    data.v = from.v.data();
+    data.w = from.w.data();
+    data.f = from.f.data();
+    data.t = from.t.data();
+    data.xTo = now_.x.data();
+    data.vTo = now_.v.data();
+    data.wTo = now_.w.data();
+    data.fTo = now_.f.data();
+    data.tTo = now_.t.data();
+    data.n = n;
+    data.list = allSingle_ ? nullptr : single_.data();
+    data.moved = drag_;
+    data.h = pending_ + 0.5*dt;
+    data.dt = dt;
+    std::copy(g.cdata(), g.cdata() + 3, data.g);
+    data.heldForce = heldForce_.empty() ? nullptr : heldForce_.data();
+    data.heldTorque = heldForce_.empty() ? nullptr : heldTorque_.data();
+
+    leapBounds bounds;
+    sweeps_->leap(data, bounds);
+
+    const auto length = [](const double* squares)
+    {
+        return sqrt(squares[0] + squares[1] + squares[2]);
+    };
+    motion_.speed = max(motion_.speed, length(bounds.speed));
+    motion_.turning = max(motion_.turning, length(bounds.turning));
+    motion_.acceleration =
+        max(motion_.acceleration, length(bounds.acceleration));
 }
 
 

@@ -74,6 +74,7 @@ Foam::dem::pairProperties Foam::dem::materials::readPair
     const auto damp = [&](const scalar beta)
     {
         p.normalDamping = viscousPerRatio(isHertz)*beta;
+        p.tangentialDamping = p.normalDamping*sqrt(p.shearRatio);
         p.resolution10 = pow(1 + (isHertz ? 5 : 20)*beta, 10);
     };
 

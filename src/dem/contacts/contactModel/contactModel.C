@@ -91,82 +91,32 @@ sweepLaws numbered(const contactLaws& laws)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::dem::contactModel::giveWalls
-(
-    const packedBodies& state,
-    wallSet& walls,
-    sweepData& data
-)
+void Foam::dem::contactModel::giveWalls(wallSet& walls, sweepData& data)
 {
-    const UList<wallTouch>& touches = walls.trial();
-    const label W = nLanes();
-    const label n = (touches.size() + W - 1)/W*W;
+    static_assert
+    (
+        offsetof(wallTouch, wallI) == offsetof(wallTouch, sphere) + sizeof(int)
+     && offsetof(wallTouch, xi) == offsetof(wallTouch, n) + sizeof(quad)
+     && offsetof(wallTouch, u) == offsetof(wallTouch, n) + 2*sizeof(quad)
+     && offsetof(wallTouch, rate) == offsetof(wallTouch, n) + 3*sizeof(quad),
+        "the sweep reads the contacts with walls as records of four numbers"
+    );
 
-    wallBlocks& b = blocks_;
-    b.sphere.assign(n, 4*state.nSpheres());
-    b.material.assign(n, 0);
-    b.normal.assign(3*n, 0);
-    b.overlap.assign(n, 0);
-    b.velocity.assign(3*n, 0);
-    b.spin.assign(n, 0);
-    b.xi.assign(3*n, 0);
-    b.rate.assign(4*n, 0);
-    b.touched.assign(n/W, 0);
-
+    wallMaterial_.resize(walls.walls().size());
     data.mirrors = false;
-    forAll(touches, k)
+    forAll(walls.walls(), w)
     {
-        const wallTouch& t = touches[k];
-        b.sphere[k] = 4*t.sphere;
-        b.material[k] = walls.walls()[t.wallI].materialI();
-        b.overlap[k] = t.overlap;
-        b.spin[k] = t.spin;
-        data.mirrors = data.mirrors || b.material[k] < 0;
-
-        const label first = 3*(k - k % W) + k % W;
-        for (direction d = 0; d < 3; ++d)
-        {
-            b.normal[first + d*W] = t.n[d];
-            b.velocity[first + d*W] = t.u[d];
-            b.xi[first + d*W] = t.xi[d];
-        }
-        for (direction d = 0; d < 4; ++d)
-        {
-            b.rate[4*(k - k % W) + d*W + k % W] = t.rate[d];
-        }
-        b.touched[k/W] |= (t.likeness > 0) << (k % W);
+        wallMaterial_[w] = walls.walls()[w].materialI();
+        data.mirrors = data.mirrors || wallMaterial_[w] < 0;
     }
 
-    data.nWallBlocks = n/W;
-    data.sphere = b.sphere.data();
-    data.wallMaterial = b.material.data();
-    data.wallNormal = b.normal.data();
-    data.wallOverlap = b.overlap.data();
-    data.wallSpin = b.spin.data();
-    data.ofWalls.xiOld = data.ofWalls.xi = b.xi.data();
-    data.ofWalls.rateOld = data.ofWalls.rate = b.rate.data();
-    data.ofWalls.touchedOld = data.ofWalls.touched = b.touched.data();
-    data.ofWalls.velocity = b.velocity.data();
-}
-
-
-void Foam::dem::contactModel::takeWalls(wallSet& walls) const
-{
-    UList<wallTouch>& touches = walls.trial();
-    const label W = nLanes();
-
-    forAll(touches, k)
-    {
-        wallTouch& t = touches[k];
-        for (direction d = 0; d < 3; ++d)
-        {
-            t.xi[d] = blocks_.xi[3*(k - k % W) + d*W + k % W];
-        }
-        for (direction d = 0; d < 4; ++d)
-        {
-            t.rate[d] = blocks_.rate[4*(k - k % W) + d*W + k % W];
-        }
-    }
+    wallTouch* touches = walls.padded(nLanes());
+    data.nWallBlocks = (walls.trial().size() + nLanes() - 1)/nLanes();
+    data.wallSphere = &touches->sphere;
+    data.wallSphereStep = sizeof(wallTouch)/sizeof(int);
+    data.wallRecords = touches->n.v_;
+    data.wallRecordsStep = sizeof(wallTouch)/sizeof(scalar);
+    data.wallMaterial = wallMaterial_.data();
 }
 
 
@@ -212,11 +162,10 @@ Foam::dem::contactSummary Foam::dem::contactModel::addForces
     data.ahead = between > 0 ? 0.5*dt/between : 0;
     list.refresh(state);
     list.give(data, onTrial);
-    giveWalls(state, walls, data);
+    giveWalls(walls, data);
 
     sweepExtremes pairs, atWalls;
     set_->sweep(laws_, data, pairs, atWalls);
-    takeWalls(walls);
 
     contactSummary sum;
     sum.nPairs = pairs.nTouching;
@@ -234,7 +183,7 @@ Foam::dem::contactSummary Foam::dem::contactModel::addForces
     if (atWalls.overlap > pairs.overlap)
     {
         sum.overlap = atWalls.overlap;
-        sum.overlapA = bodyAt(blocks_.sphere[atWalls.overlapAt]/4);
+        sum.overlapA = bodyAt(walls.trial()[atWalls.overlapAt].sphere);
         sum.overlapB = wallAt(atWalls.overlapAt);
     }
     else if (pairs.overlapAt >= 0)
@@ -247,7 +196,7 @@ Foam::dem::contactSummary Foam::dem::contactModel::addForces
     if (atWalls.frequency10 > pairs.frequency10)
     {
         sum.frequency10 = atWalls.frequency10;
-        sum.stiffA = bodyAt(blocks_.sphere[atWalls.stiffAt]/4);
+        sum.stiffA = bodyAt(walls.trial()[atWalls.stiffAt].sphere);
         sum.stiffB = wallAt(atWalls.stiffAt);
     }
     else if (pairs.stiffAt >= 0)

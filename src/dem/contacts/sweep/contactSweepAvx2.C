@@ -17,11 +17,13 @@ Description
 #define STYX_INSTRUCTIONS avx2
 
 #include "contactSweep.H"
+#include "leapSpheres.H"
 
 const Foam::dem::sweepSet Foam::dem::sweepAvx2
 {
     STYX_LANES,
-    &avx2::sweep
+    &avx2::sweep,
+    &avx2::leap
 };
 
 

@@ -17,11 +17,13 @@ Description
 #define STYX_INSTRUCTIONS avx512
 
 #include "contactSweep.H"
+#include "leapSpheres.H"
 
 const Foam::dem::sweepSet Foam::dem::sweepAvx512
 {
     STYX_LANES,
-    &avx512::sweep
+    &avx512::sweep,
+    &avx512::leap
 };
 
 

@@ -15,11 +15,13 @@ Description
 #define STYX_INSTRUCTIONS sse2
 
 #include "contactSweep.H"
+#include "leapSpheres.H"
 
 const Foam::dem::sweepSet Foam::dem::sweepSse2
 {
     STYX_LANES,
-    &sse2::sweep
+    &sse2::sweep,
+    &sse2::leap
 };
 
 

@@ -218,6 +218,7 @@ Foam::dem::hadesSolver::hadesSolver(const demInput& input)
     integrator_(integrator::New(input.dict)),
     control_(stepControl::New(input.dict.subDict("stepControl")))
 {
+    packed_.setInstructions(contacts_.instructions());
     list_.setLanes(contacts_.nLanes());
     list_.setPeriodicity(input_.period);
     walls_.setPeriodicity(input_.period);

@@ -243,6 +243,28 @@ void Foam::dem::wallSet::findTouches(const packedBodies& state)
 }
 
 
+Foam::dem::wallTouch* Foam::dem::wallSet::padded(const label n)
+{
+    const label end = trial_.size();
+    const label last = (end + n - 1)/n*n;
+    trial_.setSize(max(last, label(1)));
+
+    // They have a sphere and a wall that exist
+    wallTouch nothing = {};
+    if (end)
+    {
+        nothing.sphere = trial_[0].sphere;
+        nothing.wallI = trial_[0].wallI;
+    }
+    for (label k = end; k < last; ++k)
+    {
+        trial_[k] = nothing;
+    }
+    trial_.setSize(end);
+    return trial_.data();
+}
+
+
 void Foam::dem::wallSet::renew()
 {
     renewed_ = true;
