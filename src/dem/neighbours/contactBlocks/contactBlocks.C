@@ -35,8 +35,8 @@ void Foam::dem::contactBlocks::set
     i_.assign(nBlocks*W, 4*nSpheres);
     j_.assign(nBlocks*W, 4*(nSpheres + 1));
     image_.assign(nImages_ ? nBlocks*W : 0, periodicity::original);
-    now_.xi.assign(3*nBlocks*W, 0);
-    now_.rate.assign(4*nBlocks*W, 0);
+    now_.xi.zero(3*nBlocks*W);
+    now_.rate.zero(4*nBlocks*W);
     now_.touched.assign(nBlocks, 0);
     trial_ = memory();
     onTrial_ = false;
@@ -64,11 +64,11 @@ void Foam::dem::contactBlocks::set
         const pairHistory& h = touching[next++];
         for (direction d = 0; d < 3; ++d)
         {
-            now_.xi[3*(k - k % W) + d*W + k % W] = h.xi[d];
+            now_.xi.data()[3*(k - k % W) + d*W + k % W] = h.xi[d];
         }
         for (direction d = 0; d < 4; ++d)
         {
-            now_.rate[4*(k - k % W) + d*W + k % W] = h.rate[d];
+            now_.rate.data()[4*(k - k % W) + d*W + k % W] = h.rate[d];
         }
         now_.touched[k/W] |= 1 << (k % W);
     }
@@ -92,11 +92,11 @@ Foam::dem::contactBlocks::histories() const
         h.pair = pairInLane(k);
         for (direction d = 0; d < 3; ++d)
         {
-            h.xi[d] = now_.xi[3*(k - k % W) + d*W + k % W];
+            h.xi[d] = now_.xi.data()[3*(k - k % W) + d*W + k % W];
         }
         for (direction d = 0; d < 4; ++d)
         {
-            h.rate[d] = now_.rate[4*(k - k % W) + d*W + k % W];
+            h.rate[d] = now_.rate.data()[4*(k - k % W) + d*W + k % W];
         }
         found.append(h);
     }
