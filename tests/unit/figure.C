@@ -16,6 +16,7 @@ Description
 #include "figure.H"
 
 #include "error.H"
+#include "OSspecific.H"
 
 #include <cmath>
 #include <iostream>
@@ -187,6 +188,11 @@ int main(int argc, char* argv[])
 {
     ::testing::InitGoogleTest(&argc, argv);
     ::testing::UnitTest::GetInstance()->listeners().Append(new lines);
+
+    // What tests write goes beside the program, wherever it is started
+    const Foam::fileName here = Foam::fileName(argv[0]).path()/"unit";
+    Foam::mkDir(here);
+    Foam::chDir(here);
 
     Foam::FatalError.throwExceptions();
     Foam::FatalIOError.throwExceptions();
