@@ -154,7 +154,12 @@ void Foam::demCloud::beginStep()
     if (points_.valid())
     {
         ledger::entry e(ledger_, "forces of the fluid on points");
-        points_->sample(U().oldTime());
+        points_->sample
+        (
+            U().oldTime(),
+            nullptr,
+            coupling::averagedEquations::none
+        );
     }
 
     {

@@ -59,7 +59,12 @@ Foam::coupling::pointForces::pointForces
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::coupling::pointForces::sample(const volVectorField& U)
+void Foam::coupling::pointForces::sample
+(
+    const volVectorField& U,
+    const volScalarField* alpha,
+    const averagedEquations equations
+)
 {
     dem::bodies& state = dem_.state();
     const label n = state.size();
@@ -83,6 +88,7 @@ void Foam::coupling::pointForces::sample(const volVectorField& U)
     List<vector> u(n, vector(Zero));
     List<scalar> rho(n, scalar(0));
     List<scalar> nu(n, scalar(0));
+    List<scalar> voids(n, scalar(alpha ? 0 : 1));
     {
         // Decomposition of cells and point values are made by all ranks
         mesh_.tetBasePtIs();
@@ -94,13 +100,22 @@ void Foam::coupling::pointForces::sample(const volVectorField& U)
             u[b] = at->interpolate(state.x[b], cells[k])/share[b];
             rho[b] = rho_[cells[k]]/share[b];
             nu[b] = cellNu[k]/share[b];
+            if (alpha)
+            {
+                voids[b] = (*alpha)[cells[k]]/share[b];
+            }
         }
     }
     dem::sumOverRanks(u);
     dem::sumOverRanks(rho);
     dem::sumOverRanks(nu);
+    if (alpha)
+    {
+        dem::sumOverRanks(voids);
+    }
 
     fluidVelocity_.transfer(u);
+    alpha_.transfer(voids);
     ReOverSlip_.setSize(n);
     stokesRate_.setSize(n);
     forAll(state.x, b)
@@ -111,6 +126,10 @@ void Foam::coupling::pointForces::sample(const volVectorField& U)
         ReOverSlip_[b] = d/max(nu[b], VSMALL);
         stokesRate_[b] =
             3*constant::mathematical::pi*rho[b]*nu[b]*d/state.mass[b];
+        if (equations == averagedEquations::B)
+        {
+            stokesRate_[b] /= alpha_[b];
+        }
         state.fluidForce[b] =
             buoyancy_ ? -rho[b]*s.volume()*dem_.g() : vector(Zero);
         state.fluidTorque[b] = Zero;
