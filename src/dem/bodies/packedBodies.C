@@ -23,8 +23,8 @@ void Foam::dem::packedBodies::packSingle(const bodies& state, const label b)
     const scalar r = state.sphereR[s];
 
     place_[b] = -1 - s;
-    now_.x[s] = record(state.x[b], 1/state.mass[b]);
-    now_.v[s] = record(state.v[b], r);
+    now_.x(s) = record(state.x[b], 1/state.mass[b]);
+    now_.v(s) = record(state.v[b], r);
     now_.w[s] = record(r*state.omega[b], r);
 }
 
@@ -46,8 +46,8 @@ void Foam::dem::packedBodies::packClump(const bodies& state, const label b)
 
     for (label s = c.first; s < c.last; ++s)
     {
-        now_.x[s].w = 1/c.mass;
-        now_.v[s].w = state.sphereR[s];
+        now_.x(s).w = 1/c.mass;
+        now_.v(s).w = state.sphereR[s];
         now_.w[s].w = state.sphereR[s];
     }
     const tensor R = c.q.R();
@@ -68,8 +68,7 @@ void Foam::dem::packedBodies::hold(const bodies& state)
          || state.fluidForce[b] != vector(Zero)
          || state.fluidTorque[b] != vector(Zero);
     }
-    heldForce_.clear();
-    heldTorque_.clear();
+    held_.clear();
     clumpForce_.assign(clumps_.size(), vector(Zero));
     clumpTorque_ = clumpForce_;
     if (!any)
@@ -77,8 +76,7 @@ void Foam::dem::packedBodies::hold(const bodies& state)
         return;
     }
 
-    heldForce_.assign(nSpheres_, quad{0, 0, 0, 0});
-    heldTorque_ = heldForce_;
+    held_.assign(nSpheres_, quadPair{{0, 0, 0, 0}, {0, 0, 0, 0}});
     forAll(state.x, b)
     {
         if (place_[b] >= 0)
@@ -88,8 +86,8 @@ void Foam::dem::packedBodies::hold(const bodies& state)
             continue;
         }
         const label s = -1 - place_[b];
-        heldForce_[s] = record(state.fluidForce[b], 0);
-        heldTorque_[s] = record(state.fluidTorque[b]/now_.v[s].w, 0);
+        held_[s].first = record(state.fluidForce[b], 0);
+        held_[s].second = record(state.fluidTorque[b]/now_.v(s).w, 0);
     }
 }
 
@@ -107,9 +105,9 @@ void Foam::dem::packedBodies::collect
     T = clumpTorque_[k];
     for (label s = c.first; s < c.last; ++s)
     {
-        const vector f = vectorOf(r.f[s]);
+        const vector f = vectorOf(r.f(s));
         F += f;
-        T += ((vectorOf(r.x[s]) - c.x) ^ f) + r.v[s].w*vectorOf(r.t[s]);
+        T += ((vectorOf(r.x(s)) - c.x) ^ f) + r.v(s).w*vectorOf(r.t(s));
     }
 }
 
@@ -129,12 +127,10 @@ void Foam::dem::packedBodies::pack(const bodies& state, const vector& g)
     // The two that fill up have a radius, as a sweep divides by it, but are
     // too far from each other to touch
     const label n = nSpheres_ + 2;
-    now_.x.assign(n, quad{0, 0, 0, 1});
-    now_.x[n - 1].x = 1;
-    now_.v.assign(n, quad{0, 0, 0, 0.1});
+    now_.xv.assign(n, quadPair{{0, 0, 0, 1}, {0, 0, 0, 0.1}});
+    now_.x(n - 1).x = 1;
     now_.w.assign(n, quad{0, 0, 0, 0.1});
-    now_.f.assign(n, quad{0, 0, 0, 0});
-    now_.t.assign(n, quad{0, 0, 0, 0});
+    now_.ft.resize(n);
 
     clumps_.clear();
     single_.clear();
@@ -201,15 +197,15 @@ void Foam::dem::packedBodies::unpack(bodies& state) const
     {
         const label s = singleSphere(k);
         const label b = singleBody(k);
-        const vector f = vectorOf(now_.f[s]);
-        const vector t = vectorOf(now_.t[s]);
-        const scalar mInverse = now_.x[s].w;
-        const scalar r = now_.v[s].w;
+        const vector f = vectorOf(now_.f(s));
+        const vector t = vectorOf(now_.t(s));
+        const scalar mInverse = now_.x(s).w;
+        const scalar r = now_.v(s).w;
 
         state.force[b] = f + state.mass[b]*g_;
         state.torque[b] = r*t;
         state.v[b] =
-            kicked(b, vectorOf(now_.v[s]), g_ + mInverse*f, pending_, 0);
+            kicked(b, vectorOf(now_.v(s)), g_ + mInverse*f, pending_, 0);
         const scalar turn = quadRecords::surface*pending_*mInverse;
         state.omega[b] = (vectorOf(now_.w[s]) + turn*t)/r;
         state.L[b] = state.inertia[b].x()*state.omega[b];
@@ -235,7 +231,7 @@ void Foam::dem::packedBodies::setPositions(const bodies& state)
 {
     for (label s = 0; s < nSpheres_; ++s)
     {
-        now_.x[s] = record(state.sphereX[s], now_.x[s].w);
+        now_.x(s) = record(state.sphereX[s], now_.x(s).w);
     }
     for (clump& c : clumps_)
     {
@@ -246,14 +242,8 @@ void Foam::dem::packedBodies::setPositions(const bodies& state)
 
 void Foam::dem::packedBodies::clearForces()
 {
-    const quad zero{0, 0, 0, 0};
-    now_.f.assign(now_.f.size(), zero);
-    now_.t.assign(now_.t.size(), zero);
-    if (!heldForce_.empty())
-    {
-        std::copy(heldForce_.begin(), heldForce_.end(), now_.f.begin());
-        std::copy(heldTorque_.begin(), heldTorque_.end(), now_.t.begin());
-    }
+    now_.ft.assign(now_.ft.size(), quadPair{{0, 0, 0, 0}, {0, 0, 0, 0}});
+    std::copy(held_.begin(), held_.end(), now_.ft.begin());
 }
 
 
@@ -265,8 +255,8 @@ void Foam::dem::packedBodies::setForces(const bodies& state)
         if (place_[b] < 0)
         {
             const label s = -1 - place_[b];
-            now_.f[s] = record(F, 0);
-            now_.t[s] = record(state.torque[b]/now_.v[s].w, 0);
+            now_.f(s) = record(F, 0);
+            now_.t(s) = record(state.torque[b]/now_.v(s).w, 0);
             continue;
         }
 
@@ -280,14 +270,14 @@ void Foam::dem::packedBodies::setForces(const bodies& state)
 Foam::point Foam::dem::packedBodies::oldPosition(const label b) const
 {
     const label p = place_[b];
-    return p >= 0 ? oldClumps_[p].x : vectorOf(old_.x[-1 - p]);
+    return p >= 0 ? oldClumps_[p].x : vectorOf(old_.x(-1 - p));
 }
 
 
 Foam::vector Foam::dem::packedBodies::velocity(const label b) const
 {
     const label p = place_[b];
-    return p >= 0 ? clumps_[p].v : vectorOf(now_.v[-1 - p]);
+    return p >= 0 ? clumps_[p].v : vectorOf(now_.v(-1 - p));
 }
 
 
@@ -313,7 +303,7 @@ Foam::vector Foam::dem::packedBodies::acceleration(const label b) const
     }
     else
     {
-        a = g_ + now_.x[-1 - p].w*vectorOf(now_.f[-1 - p]);
+        a = g_ + now_.x(-1 - p).w*vectorOf(now_.f(-1 - p));
     }
     return drag_ ? a + drag_->acceleration(b, velocity(b)) : a;
 }
@@ -348,8 +338,8 @@ Foam::scalar Foam::dem::packedBodies::paths(std::vector<path>& all) const
         all[s] = centre
         (
             singleBody(k),
-            vectorOf(now_.v[s]),
-            g_ + now_.x[s].w*vectorOf(now_.f[s])
+            vectorOf(now_.v(s)),
+            g_ + now_.x(s).w*vectorOf(now_.f(s))
         );
     }
 
@@ -367,7 +357,7 @@ Foam::scalar Foam::dem::packedBodies::paths(std::vector<path>& all) const
         longest = min(longest, 0.1/max(spin, VSMALL));
         for (label s = c.first; s < c.last; ++s)
         {
-            const vector arm = vectorOf(now_.x[s]) - c.x;
+            const vector arm = vectorOf(now_.x(s)) - c.x;
             all[s] = p;
             all[s].v += omega ^ arm;
             all[s].bend += mag(arm)*(2*sqr(spin) + mag(T)/least);
@@ -380,7 +370,7 @@ Foam::scalar Foam::dem::packedBodies::paths(std::vector<path>& all) const
 Foam::scalar Foam::dem::packedBodies::minRadius(const label b) const
 {
     const label p = place_[b];
-    return p >= 0 ? clumps_[p].form->minRadius() : now_.v[-1 - p].w;
+    return p >= 0 ? clumps_[p].form->minRadius() : now_.v(-1 - p).w;
 }
 
 

@@ -34,9 +34,9 @@ void Foam::dem::packedBodies::spread
         // Half way, where the velocities are
         const vector middle = 0.5*((R0 & p) + arm);
 
-        const scalar r = now_.v[s].w;
-        now_.x[s] = record(c.x + arm, now_.x[s].w);
-        now_.v[s] = record(c.v + (c.omega ^ middle), r);
+        const scalar r = now_.v(s).w;
+        now_.x(s) = record(c.x + arm, now_.x(s).w);
+        now_.v(s) = record(c.v + (c.omega ^ middle), r);
         now_.w[s] = record(r*c.omega, r);
     }
 }
@@ -75,15 +75,15 @@ void Foam::dem::packedBodies::leapSingles
         for (label k = 0; k < n; ++k)
         {
             const label s = singleSphere(k);
-            const quad& v = from.v[s];
-            const scalar mInverse = from.x[s].w;
-            now_.v[s] = record
+            const quad& v = from.v(s);
+            const scalar mInverse = from.x(s).w;
+            now_.v(s) = record
             (
                 kicked
                 (
                     singleBody(k),
                     vectorOf(v),
-                    g + mInverse*vectorOf(from.f[s]),
+                    g + mInverse*vectorOf(from.f(s)),
                     pending_,
                     0.5*dt
                 ),
@@ -93,24 +93,19 @@ void Foam::dem::packedBodies::leapSingles
     }
 
     leapData data;
-    data.x = from.x.data();
-    data.v = from.v.data();
+    data.xv = from.xv.data();
     data.w = from.w.data();
-    data.f = from.f.data();
-    data.t = from.t.data();
-    data.xTo = now_.x.data();
-    data.vTo = now_.v.data();
+    data.ft = from.ft.data();
+    data.xvTo = now_.xv.data();
     data.wTo = now_.w.data();
-    data.fTo = now_.f.data();
-    data.tTo = now_.t.data();
+    data.ftTo = now_.ft.data();
     data.n = n;
     data.list = allSingle_ ? nullptr : single_.data();
     data.moved = drag_;
     data.h = pending_ + 0.5*dt;
     data.dt = dt;
     std::copy(g.cdata(), g.cdata() + 3, data.g);
-    data.heldForce = heldForce_.empty() ? nullptr : heldForce_.data();
-    data.heldTorque = heldForce_.empty() ? nullptr : heldTorque_.data();
+    data.held = held_.empty() ? nullptr : held_.data();
 
     leapBounds bounds;
     sweeps_->leap(data, bounds);
@@ -152,10 +147,10 @@ void Foam::dem::packedBodies::leapClumps
 
         for (label s = c.first; s < c.last; ++s)
         {
-            now_.x[s].w = from.x[s].w;
-            now_.v[s].w = from.v[s].w;
+            now_.x(s).w = from.x(s).w;
+            now_.v(s).w = from.v(s).w;
             now_.w[s].w = from.w[s].w;
-            now_.f[s] = now_.t[s] = quad{0, 0, 0, 0};
+            now_.f(s) = now_.t(s) = quad{0, 0, 0, 0};
         }
         spread(c, R0, c.q.R());
         clumps_[k] = c;
@@ -177,14 +172,10 @@ void Foam::dem::packedBodies::leap(const scalar dt, const bool trial)
 
     if (trial)
     {
-        for (auto list : {&records::x, &records::v, &records::w,
-            &records::f, &records::t})
+        now_.swap(old_);
+        if (now_.w.size() != old_.w.size())
         {
-            std::swap(now_.*list, old_.*list);
-            if ((now_.*list).size() != (old_.*list).size())
-            {
-                now_.*list = old_.*list;
-            }
+            now_ = old_;
         }
         std::swap(clumps_, oldClumps_);
         clumps_.resize(oldClumps_.size());
@@ -194,8 +185,7 @@ void Foam::dem::packedBodies::leap(const scalar dt, const bool trial)
         // The fillers
         for (label s = nSpheres_; s < nSpheres_ + 2; ++s)
         {
-            now_.x[s] = old_.x[s];
-            now_.v[s] = old_.v[s];
+            now_.xv[s] = old_.xv[s];
             now_.w[s] = old_.w[s];
         }
     }
@@ -210,7 +200,7 @@ void Foam::dem::packedBodies::leap(const scalar dt, const bool trial)
 
 void Foam::dem::packedBodies::undo()
 {
-    std::swap(now_, old_);
+    now_.swap(old_);
     std::swap(clumps_, oldClumps_);
     pending_ = oldPending_;
 }

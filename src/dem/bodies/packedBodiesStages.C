@@ -51,8 +51,8 @@ void Foam::dem::packedBodies::drift(const scalar h, const bool fourth)
     for (label k = 0; k < n; ++k)
     {
         const label s = singleSphere(k);
-        const vector x = vectorOf(now_.x[s]) + h*vectorOf(now_.v[s]);
-        now_.x[s] = record(x, now_.x[s].w);
+        const vector x = vectorOf(now_.x(s)) + h*vectorOf(now_.v(s));
+        now_.x(s) = record(x, now_.x(s).w);
         note(singleBody(k), Zero);
     }
 
@@ -86,11 +86,11 @@ void Foam::dem::packedBodies::kick(const scalar h)
     {
         const label s = singleSphere(k);
         const label b = singleBody(k);
-        const scalar mInverse = now_.x[s].w;
-        const vector a = g_ + mInverse*vectorOf(now_.f[s]);
-        const vector turn = surface*h*mInverse*vectorOf(now_.t[s]);
-        const vector v = kicked(b, vectorOf(now_.v[s]), a, 0, h);
-        now_.v[s] = record(v, now_.v[s].w);
+        const scalar mInverse = now_.x(s).w;
+        const vector a = g_ + mInverse*vectorOf(now_.f(s));
+        const vector turn = surface*h*mInverse*vectorOf(now_.t(s));
+        const vector v = kicked(b, vectorOf(now_.v(s)), a, 0, h);
+        now_.v(s) = record(v, now_.v(s).w);
         now_.w[s] = record(vectorOf(now_.w[s]) + turn, now_.w[s].w);
         note(b, a);
     }
@@ -118,12 +118,12 @@ Foam::dem::packedBodies::slope Foam::dem::packedBodies::slopes() const
     for (label k = 0; k < nSingles(); ++k)
     {
         const label s = singleSphere(k);
-        const scalar turn = surface*now_.x[s].w;
+        const scalar turn = surface*now_.x(s).w;
         all.singles[k] =
         {
-            vectorOf(now_.v[s]),
+            vectorOf(now_.v(s)),
             acceleration(singleBody(k)),
-            turn*vectorOf(now_.t[s])
+            turn*vectorOf(now_.t(s))
         };
     }
     for (label k = 0; k < label(clumps_.size()); ++k)
@@ -147,8 +147,8 @@ void Foam::dem::packedBodies::moveBy
     for (label k = 0; k < nSingles(); ++k)
     {
         const label s = singleSphere(k);
-        vector x = vectorOf(old_.x[s]);
-        vector v = vectorOf(old_.v[s]);
+        vector x = vectorOf(old_.x(s));
+        vector v = vectorOf(old_.v(s));
         vector w = vectorOf(old_.w[s]);
         for (const auto& term : terms)
         {
@@ -157,8 +157,8 @@ void Foam::dem::packedBodies::moveBy
             v += term.first*r.v;
             w += term.first*r.L;
         }
-        now_.x[s] = record(x, old_.x[s].w);
-        now_.v[s] = record(v, old_.v[s].w);
+        now_.x(s) = record(x, old_.x(s).w);
+        now_.v(s) = record(v, old_.v(s).w);
         now_.w[s] = record(w, old_.w[s].w);
         note(singleBody(k), terms.back().second->singles[k].v);
     }
@@ -186,13 +186,13 @@ void Foam::dem::packedBodies::moveBy
 Foam::dem::packedBodies::records Foam::dem::packedBodies::meanVelocities()
 {
     records end;
-    end.v = now_.v;
+    end.xv = now_.xv;
     end.w = now_.w;
     for (label s = 0; s < nSpheres_; ++s)
     {
-        const vector v = 0.5*(vectorOf(old_.v[s]) + vectorOf(now_.v[s]));
+        const vector v = 0.5*(vectorOf(old_.v(s)) + vectorOf(now_.v(s)));
         const vector w = 0.5*(vectorOf(old_.w[s]) + vectorOf(now_.w[s]));
-        now_.v[s] = record(v, now_.v[s].w);
+        now_.v(s) = record(v, now_.v(s).w);
         now_.w[s] = record(w, now_.w[s].w);
     }
     clearForces();
@@ -202,7 +202,10 @@ Foam::dem::packedBodies::records Foam::dem::packedBodies::meanVelocities()
 
 void Foam::dem::packedBodies::setVelocities(const records& r)
 {
-    now_.v = r.v;
+    for (label s = 0; s < nSpheres_; ++s)
+    {
+        now_.v(s) = r.v(s);
+    }
     now_.w = r.w;
     clearForces();
 }

@@ -150,11 +150,9 @@ Foam::dem::contactSummary Foam::dem::contactModel::addForces
 
     sweepData data;
     packedBodies::records& r = state.spheres();
-    data.x = &r.x[0].x;
-    data.v = &r.v[0].x;
+    data.xv = &r.xv[0].first.x;
     data.w = &r.w[0].x;
-    data.f = &r.f[0].x;
-    data.t = &r.t[0].x;
+    data.ft = &r.ft[0].first.x;
     data.material = state.material();
     data.pairs = materials_.pairs().cdata();
     data.nMaterials = materials_.names().size();

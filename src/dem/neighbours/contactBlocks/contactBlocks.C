@@ -32,8 +32,8 @@ void Foam::dem::contactBlocks::set
     nPlainBlocks_ = (nPlain_ + W - 1)/W;
     const label nBlocks = nPlainBlocks_ + (nImages_ + W - 1)/W;
 
-    i_.assign(nBlocks*W, 4*nSpheres);
-    j_.assign(nBlocks*W, 4*(nSpheres + 1));
+    i_.assign(nBlocks*W, 8*nSpheres);
+    j_.assign(nBlocks*W, 8*(nSpheres + 1));
     image_.assign(nImages_ ? nBlocks*W : 0, periodicity::original);
     now_.xi.zero(3*nBlocks*W);
     now_.rate.zero(4*nBlocks*W);
@@ -46,8 +46,8 @@ void Foam::dem::contactBlocks::set
     {
         const spherePair& pair = pairs[p];
         const label k = slot(p);
-        i_[k] = 4*pair.i;
-        j_[k] = 4*pair.j;
+        i_[k] = 8*pair.i;
+        j_[k] = 8*pair.j;
         if (nImages_)
         {
             image_[k] = pair.image;

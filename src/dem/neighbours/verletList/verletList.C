@@ -111,8 +111,7 @@ void Foam::dem::verletList::setNear
     const UList<pairHistory>& touching
 )
 {
-    const quad* x = state.spheres().x.data();
-    const quad* v = state.spheres().v.data();
+    const quadPair* xv = state.spheres().xv.data();
     const scalar skin = nearSkin_;
 
     // What touched before a step on trial belongs to them: the step may be
@@ -134,14 +133,14 @@ void Foam::dem::verletList::setNear
             continue;
         }
 
-        const quad& a = x[p.i];
-        const quad& b = x[p.j];
+        const quad& a = xv[p.i].first;
+        const quad& b = xv[p.j].first;
         vector d(a.x - b.x, a.y - b.y, a.z - b.z);
         if (p.image != periodicity::original)
         {
             d -= period_.shift(p.image);
         }
-        if (magSqr(d) < sqr(v[p.i].w + v[p.j].w + skin))
+        if (magSqr(d) < sqr(xv[p.i].second.w + xv[p.j].second.w + skin))
         {
             nearPairs_.push_back(p);
         }
