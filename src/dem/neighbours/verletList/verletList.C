@@ -15,6 +15,17 @@ License
 
 #include <algorithm>
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+// Part of the reach of the near pairs that a sphere at rest has
+const Foam::scalar slowest = 0.2;
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::dem::verletList::search(const packedBodies& state)
@@ -119,7 +130,8 @@ void Foam::dem::verletList::setNear
     const auto sooner = contactBlocks::before;
     label next = 0;
 
-    near_.start(state);
+    near_.start(state, 0.5*skin, slowest);
+    const scalar* allowed = near_.allowed.cdata();
     nearPairs_.clear();
     for (const spherePair& p : pairs_)
     {
@@ -140,7 +152,11 @@ void Foam::dem::verletList::setNear
         {
             d -= period_.shift(p.image);
         }
-        if (magSqr(d) < sqr(xv[p.i].second.w + xv[p.j].second.w + skin))
+        const scalar reach =
+            xv[p.i].second.w + xv[p.j].second.w
+          + allowed[p.i] + allowed[p.j];
+
+        if (magSqr(d) < sqr(reach))
         {
             nearPairs_.push_back(p);
         }
@@ -185,37 +201,45 @@ Foam::dem::verletList::verletList(const dictionary& dict)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::dem::verletList::placement::start(const packedBodies& state)
-{
-    x.setSize(state.nSpheres());
-    forAll(x, s)
-    {
-        x[s] = state.centre(s);
-    }
-    moved = 0;
-}
-
-
-bool Foam::dem::verletList::placement::left
+void Foam::dem::verletList::placement::start
 (
     const packedBodies& state,
-    const scalar distance
+    const scalar distance,
+    const scalar part
 )
 {
-    if (moved > distance)
+    const label n = state.nSpheres();
+    x.setSize(n);
+    allowed.setSize(n);
+    scalar fastest = VSMALL;
+    for (label s = 0; s < n; ++s)
+    {
+        x[s] = state.centre(s);
+        allowed[s] = state.speed(s);
+        fastest = max(fastest, allowed[s]);
+    }
+    for (scalar& a : allowed)
+    {
+        a = distance*(part + (1 - part)*a/fastest);
+    }
+
+    moved = 0;
+    left = part*distance;
+}
+bool Foam::dem::verletList::placement::over(const packedBodies& state)
+{
+    if (moved > left)
     {
         // The bound is used up: how far have they really moved?
-        scalar furthest = 0;
+        left = GREAT;
         forAll(x, s)
         {
-            furthest = max(furthest, magSqr(state.centre(s) - x[s]));
+            left = min(left, allowed[s] - mag(state.centre(s) - x[s]));
         }
-        moved = sqrt(furthest);
+        moved = 0;
     }
-    return moved > distance;
+    return left < 0;
 }
-
-
 void Foam::dem::verletList::moved(const scalar distance)
 {
     // The step before was undone, perhaps after the list was made
@@ -231,7 +255,7 @@ bool Foam::dem::verletList::outdated(const packedBodies& state)
     return
         !valid_
      || far_.x.size() != state.nSpheres()
-     || far_.left(state, 0.5*skin_);
+     || far_.over(state);
 }
 
 
@@ -256,7 +280,7 @@ void Foam::dem::verletList::build(const packedBodies& state)
     }
     skin_ = n ? relativeSkin_*sum/n : 0;
 
-    far_.start(state);
+    far_.start(state, 0.5*skin_, 1);
     search(state);
     for (const pairHistory& h : old)
     {
@@ -282,7 +306,7 @@ void Foam::dem::verletList::build(const packedBodies& state)
 
 void Foam::dem::verletList::refresh(const packedBodies& state)
 {
-    if (near_.left(state, 0.5*nearSkin_))
+    if (near_.over(state))
     {
         adapt();
         setNear(state, blocks_.histories());
