@@ -12,23 +12,23 @@ Class
 
 #include "contactBlocks.H"
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::dem::contactBlocks::set
+template<class Pairs>
+void Foam::dem::contactBlocks::place
 (
-    const std::vector<spherePair>& pairs,
-    const UList<pairHistory>& touching,
+    const Pairs& pairs,
+    const label n,
     const label nSpheres
 )
 {
     const label W = nLanes_;
-    const label nPairs = label(pairs.size());
-    nPlain_ = nPairs;
-    while (nPlain_ && pairs[nPlain_ - 1].image != periodicity::original)
+    nPlain_ = n;
+    while (nPlain_ && pairs(nPlain_ - 1).image != periodicity::original)
     {
         --nPlain_;
     }
-    nImages_ = nPairs - nPlain_;
+    nImages_ = n - nPlain_;
     nPlainBlocks_ = (nPlain_ + W - 1)/W;
     const label nBlocks = nPlainBlocks_ + (nImages_ + W - 1)/W;
 
@@ -38,13 +38,11 @@ void Foam::dem::contactBlocks::set
     now_.xi.zero(3*nBlocks*W);
     now_.rate.zero(4*nBlocks*W);
     now_.touched.assign(nBlocks, 0);
-    trial_ = memory();
     onTrial_ = false;
 
-    label next = 0;
-    for (label p = 0; p < nPairs; ++p)
+    for (label p = 0; p < n; ++p)
     {
-        const spherePair& pair = pairs[p];
+        const spherePair& pair = pairs(p);
         const label k = slot(p);
         i_[k] = 8*pair.i;
         j_[k] = 8*pair.j;
@@ -52,38 +50,110 @@ void Foam::dem::contactBlocks::set
         {
             image_[k] = pair.image;
         }
+    }
+}
 
-        while (next < touching.size() && before(touching[next].pair, pair))
-        {
-            ++next;
-        }
-        if (next == touching.size() || before(pair, touching[next].pair))
-        {
-            continue;
-        }
-        const pairHistory& h = touching[next++];
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dem::contactBlocks::set
+(
+    const UList<pairHistory>& touching,
+    const label nSpheres
+)
+{
+    place
+    (
+        [&](const label p) -> const spherePair& { return touching[p].pair; },
+        touching.size(),
+        nSpheres
+    );
+    forAll(touching, p)
+    {
+        const pairHistory& h = touching[p];
+        const label k = slot(p);
         for (direction d = 0; d < 3; ++d)
         {
-            now_.xi.data()[3*(k - k % W) + d*W + k % W] = h.xi[d];
+            now_.xi.data()[at(k, d, 3)] = h.xi[d];
         }
         for (direction d = 0; d < 4; ++d)
         {
-            now_.rate.data()[4*(k - k % W) + d*W + k % W] = h.rate[d];
+            now_.rate.data()[at(k, d, 4)] = h.rate[d];
         }
-        now_.touched[k/W] |= 1 << (k % W);
+        now_.touched[k/nLanes_] |= 1 << (k % nLanes_);
     }
+}
+
+
+void Foam::dem::contactBlocks::set
+(
+    const std::vector<spherePair>& pairs,
+    const label nSpheres
+)
+{
+    // Which pairs had which memory
+    const std::vector<label>& lanes = touching();
+    old_.clear();
+    for (const label lane : lanes)
+    {
+        old_.push_back(pairInLane(lane));
+    }
+    std::swap(now_, trial_);
+
+    const label n = label(pairs.size());
+    place
+    (
+        [&](const label p) -> const spherePair& { return pairs[p]; },
+        n,
+        nSpheres
+    );
+
+    std::size_t next = 0;
+    for (label p = 0; p < n && next < lanes.size(); ++p)
+    {
+        if (before(pairs[p], old_[next]))
+        {
+            continue;
+        }
+        const label k = slot(p);
+        const label from = lanes[next++];
+        for (direction d = 0; d < 3; ++d)
+        {
+            now_.xi.data()[at(k, d, 3)] = trial_.xi.data()[at(from, d, 3)];
+        }
+        for (direction d = 0; d < 4; ++d)
+        {
+            now_.rate.data()[at(k, d, 4)] =
+                trial_.rate.data()[at(from, d, 4)];
+        }
+        now_.touched[k/nLanes_] |= 1 << (k % nLanes_);
+    }
+}
+
+
+const std::vector<Foam::label>& Foam::dem::contactBlocks::touching()
+{
+    touching_.clear();
+    for (label p = 0; p < nPlain_ + nImages_; ++p)
+    {
+        const label k = slot(p);
+        if (touches(k))
+        {
+            touching_.push_back(k);
+        }
+    }
+    return touching_;
 }
 
 
 Foam::List<Foam::dem::contactBlocks::pairHistory>
 Foam::dem::contactBlocks::histories() const
 {
-    const label W = nLanes_;
     DynamicList<pairHistory> found;
     for (label p = 0; p < nPlain_ + nImages_; ++p)
     {
         const label k = slot(p);
-        if (!(now_.touched[k/W] & (1 << (k % W))))
+        if (!touches(k))
         {
             continue;
         }
@@ -92,11 +162,11 @@ Foam::dem::contactBlocks::histories() const
         h.pair = pairInLane(k);
         for (direction d = 0; d < 3; ++d)
         {
-            h.xi[d] = now_.xi.data()[3*(k - k % W) + d*W + k % W];
+            h.xi[d] = now_.xi.data()[at(k, d, 3)];
         }
         for (direction d = 0; d < 4; ++d)
         {
-            h.rate[d] = now_.rate.data()[4*(k - k % W) + d*W + k % W];
+            h.rate[d] = now_.rate.data()[at(k, d, 4)];
         }
         found.append(h);
     }

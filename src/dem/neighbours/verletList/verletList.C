@@ -116,11 +116,58 @@ void Foam::dem::verletList::searchImages(const packedBodies& state)
 }
 
 
-void Foam::dem::verletList::setNear
-(
-    const packedBodies& state,
-    const UList<pairHistory>& touching
-)
+void Foam::dem::verletList::sortPairs(const label n)
+{
+    const auto seam = std::partition
+    (
+        pairs_.begin(),
+        pairs_.end(),
+        [](const spherePair& p) { return p.image == periodicity::original; }
+    );
+    const label nPlain = label(seam - pairs_.begin());
+    std::sort(seam, pairs_.end(), contactBlocks::before);
+
+    // Into buckets by the first sphere, in which few are left to sort
+    std::vector<label> end(n + 1, 0);
+    for (label p = 0; p < nPlain; ++p)
+    {
+        ++end[pairs_[p].i + 1];
+    }
+    for (label s = 0; s < n; ++s)
+    {
+        end[s + 1] += end[s];
+    }
+    sorted_.resize(nPlain);
+    for (label p = 0; p < nPlain; ++p)
+    {
+        sorted_[end[pairs_[p].i]++] = pairs_[p];
+    }
+    label begin = 0;
+    for (label s = 0; s < n; ++s)
+    {
+        std::sort
+        (
+            sorted_.begin() + begin,
+            sorted_.begin() + end[s],
+            [](const spherePair& a, const spherePair& b) { return a.j < b.j; }
+        );
+        begin = end[s];
+    }
+    std::copy(sorted_.begin(), sorted_.end(), pairs_.begin());
+
+    const auto same = [](const spherePair& a, const spherePair& b)
+    {
+        return a.i == b.i && a.j == b.j && a.image == b.image;
+    };
+    pairs_.erase
+    (
+        std::unique(pairs_.begin(), pairs_.end(), same),
+        pairs_.end()
+    );
+}
+
+
+void Foam::dem::verletList::setNear(const packedBodies& state)
 {
     const quadPair* xv = state.spheres().xv.data();
     const scalar skin = nearSkin_;
@@ -128,23 +175,30 @@ void Foam::dem::verletList::setNear
     // What touched before a step on trial belongs to them: the step may be
     // undone
     const auto sooner = contactBlocks::before;
-    label next = 0;
-
+    const std::vector<label>& touching = blocks_.touching();
+    std::size_t next = 0;
+    spherePair touch;
+    const auto setTouch = [&]()
+    {
+        if (next < touching.size())
+        {
+            touch = blocks_.pairInLane(touching[next]);
+        }
+    };
+    setTouch();
     near_.start(state, 0.5*skin, slowest);
     const scalar* allowed = near_.allowed.cdata();
     nearPairs_.clear();
     for (const spherePair& p : pairs_)
     {
-        while (next < touching.size() && sooner(touching[next].pair, p))
-        {
-            ++next;
-        }
-        if (next < touching.size() && !sooner(p, touching[next].pair))
+        // Each pair that touches is one of them
+        if (next < touching.size() && !sooner(p, touch))
         {
             nearPairs_.push_back(p);
+            ++next;
+            setTouch();
             continue;
         }
-
         const quad& a = xv[p.i].first;
         const quad& b = xv[p.j].first;
         vector d(a.x - b.x, a.y - b.y, a.z - b.z);
@@ -161,7 +215,7 @@ void Foam::dem::verletList::setNear
             nearPairs_.push_back(p);
         }
     }
-    blocks_.set(nearPairs_, touching, state.nSpheres());
+    blocks_.set(nearPairs_, state.nSpheres());
     nSweeps_ = 0;
 }
 
@@ -261,18 +315,18 @@ bool Foam::dem::verletList::outdated(const packedBodies& state)
 
 void Foam::dem::verletList::build(const packedBodies& state)
 {
-    List<pairHistory> old(histories());
-    const auto sooner = [](const pairHistory& a, const pairHistory& b)
-    {
-        return contactBlocks::before(a.pair, b.pair);
-    };
-    if (!std::is_sorted(old.begin(), old.end(), sooner))
-    {
-        std::sort(old.begin(), old.end(), sooner);
-    }
-    kept_.clear();
-
     const label n = state.nSpheres();
+    if (!valid_)
+    {
+        const auto sooner = [](const pairHistory& a, const pairHistory& b)
+        {
+            return contactBlocks::before(a.pair, b.pair);
+        };
+        std::sort(kept_.begin(), kept_.end(), sooner);
+        blocks_.set(kept_, n);
+        kept_.clear();
+    }
+
     scalar sum = 0;
     for (label s = 0; s < n; ++s)
     {
@@ -282,23 +336,14 @@ void Foam::dem::verletList::build(const packedBodies& state)
 
     far_.start(state, 0.5*skin_, 1);
     search(state);
-    for (const pairHistory& h : old)
+    for (const label lane : blocks_.touching())
     {
-        pairs_.push_back(h.pair);
+        pairs_.push_back(blocks_.pairInLane(lane));
     }
-    std::sort(pairs_.begin(), pairs_.end(), contactBlocks::before);
-    const auto same = [](const spherePair& a, const spherePair& b)
-    {
-        return a.i == b.i && a.j == b.j && a.image == b.image;
-    };
-    pairs_.erase
-    (
-        std::unique(pairs_.begin(), pairs_.end(), same),
-        pairs_.end()
-    );
+    sortPairs(n);
 
     nearSkin_ = max(min(nearSkin_, skin_), 0.1*skin_);
-    setNear(state, old);
+    setNear(state);
     valid_ = true;
     ++nBuilds_;
 }
@@ -309,7 +354,7 @@ void Foam::dem::verletList::refresh(const packedBodies& state)
     if (near_.over(state))
     {
         adapt();
-        setNear(state, blocks_.histories());
+        setNear(state);
     }
     ++nSweeps_;
 }
