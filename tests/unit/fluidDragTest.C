@@ -206,6 +206,43 @@ TEST(dragLaws, unknown)
 {
     EXPECT_THROW(law("schilerNaumann"), Foam::IOerror);
     EXPECT_FALSE(law("none").valid());
+    EXPECT_FALSE
+    (
+        Foam::coupling::dragLaw::New(Foam::dictionary()).valid()
+    );
+}
+
+
+// An added mass: a body without weight of its own in a fluid falls up with 2 g
+// and holds at any step what the closed form says
+TEST(fluidDrags, addedMass)
+{
+    class light
+    :
+        public oneDrag
+    {
+    public:
+
+        light()
+        :
+            oneDrag([](const scalar) { return 3.0; }, Foam::Zero)
+        {}
+
+        virtual scalar massShare(const label) const
+        {
+            return 0.01/(0.01 + 0.5);
+        }
+    };
+
+    // Density ratio 0.01: weight less buoyancy over its own mass is 99 g
+    const light drag;
+    const vector up(0, 0, 99*9.81);
+    const vector start = drag.kick(0, Foam::Zero, up, 1e-6);
+    figureNear("fluidDrag_addedMass", start.z()/1e-6, 0.99*9.81/0.51, 1e-5,
+               "m/s2", "(rho_f - rho_p) g/(rho_p + rho_f/2)");
+    const vector end = drag.kick(0, Foam::Zero, up, 1e6);
+    figureNear("fluidDrag_addedMassEnd", end.z(), 0.99*9.81/0.51/3, 1e-12,
+               "m/s", "balance with the drag");
 }
 
 

@@ -90,8 +90,9 @@ Foam::vector Foam::dem::fluidDrag::kick
 ) const
 {
     const vector slip = fluidVelocity(b) - v;
-    const scalar k = meanRate(b, slip, a, h);
-    return h*phi(k*h)*(a + k*slip);
+    const vector free = massShare(b)*a;
+    const scalar k = meanRate(b, slip, free, h);
+    return h*phi(k*h)*(free + k*slip);
 }
 
 

@@ -305,7 +305,7 @@ Foam::vector Foam::dem::packedBodies::acceleration(const label b) const
     {
         a = g_ + now_.x(-1 - p).w*vectorOf(now_.f(-1 - p));
     }
-    return drag_ ? a + drag_->acceleration(b, velocity(b)) : a;
+    return drag_ ? drag_->acceleration(b, velocity(b), a) : a;
 }
 
 
@@ -321,7 +321,7 @@ Foam::scalar Foam::dem::packedBodies::paths(std::vector<path>& all) const
         {
             const vector drag = drag_->acceleration(b, p.v);
             const scalar slip = mag(drag_->fluidVelocity(b) - p.v);
-            p.a += drag;
+            p.a = drag_->massShare(b)*a + drag;
             p.bend = mag(drag);
 
             // The position is off by about k a h^3/4 after a step h

@@ -31,10 +31,18 @@ Foam::autoPtr<Foam::coupling::dragLaw> Foam::coupling::dragLaw::New
     const dictionary& dict
 )
 {
+    if (!dict.found("drag"))
+    {
+        return autoPtr<dragLaw>();
+    }
+
     wordList laws(wordConstructorTablePtr_->sortedToc());
     laws.append("none");
 
-    const word name = dem::getChoice(dict, "drag", laws);
+    const word name =
+        dict.isDict("drag")
+      ? dem::getChoice(dict.subDict("drag"), "law", laws)
+      : dem::getChoice(dict, "drag", laws);
     if (name == "none")
     {
         return autoPtr<dragLaw>();

@@ -6,16 +6,9 @@ License
     This file is part of Styx, which is free software: GPL-3.0-or-later,
     without any warranty. See the file COPYING.
 
-
 \*---------------------------------------------------------------------------*/
 
 #include "pointForces.H"
-#include "allowedKeys.H"
-#include "checkedEntry.H"
-#include "interpolation.H"
-#include "mathematicalConstants.H"
-#include "rankSum.H"
-#include "Switch.H"
 #include "volFields.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -31,110 +24,63 @@ Foam::coupling::pointForces::pointForces
 )
 :
     mesh_(mesh),
-    bins_(bins),
     dem_(dem),
-    rho_(rho),
-    nu_(mesh, fluid),
     drag_(dragLaw::New(forces)),
-    buoyancy_(forces.getOrDefault<Switch>("buoyancy", true)),
-    interpolation_
-    (
-        dem::getChoice
-        (
-            forces,
-            "interpolation",
-            Foam::interpolation<vector>::dictionaryConstructorTablePtr_
-          ->sortedToc(),
-            "cellPoint"
-        )
-    )
+    sphericity_(0),
+    sumOfSpheres_(false),
+    followsBody_(drag_.valid()),
+    equations_(averagedEquations::none),
+    warned_(false)
 {
-    dem::checkKeys(forces, {"drag", "buoyancy", "interpolation"});
+    checkInput(forces);
+    readDrag(forces);
+    readForces(forces);
 
-    Info<< "    forces: drag "
-        << (drag_.valid() ? drag_->type() : word("none")) << ", buoyancy "
-        << Switch(buoyancy_) << ", interpolation " << interpolation_ << endl;
+    unsigned needs = 0;
+    for (const pointForce& f : forces_)
+    {
+        needs |= f.needs();
+        followsBody_ = followsBody_ || f.addsMass();
+    }
+    const word scheme(interpolationScheme(forces));
+    sampler_.reset
+    (
+        new fluidSampler
+        (
+            mesh,
+            bins,
+            rho,
+            fluid,
+            forces,
+            dem.g(),
+            scheme,
+            needs
+        )
+    );
+    report(scheme);
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::coupling::pointForces::sample
+Foam::scalar Foam::coupling::pointForces::rate
 (
-    const volVectorField& U,
-    const volScalarField* alpha,
-    const averagedEquations equations
-)
+    const label b,
+    const scalar slip
+) const
 {
-    dem::bodies& state = dem_.state();
-    const label n = state.size();
-
-    // The bodies of this rank. One on the boundary of two ranks is on both,
-    // so that what is summed below is a mean
-    DynamicList<label> mine, cells;
-    List<scalar> share(n, scalar(0));
-    forAll(state.x, b)
+    if (!drag_.valid())
     {
-        const label c = bins_.find(state.x[b]);
-        if (c >= 0)
-        {
-            mine.append(b);
-            cells.append(c);
-            share[b] = 1;
-        }
-    }
-    dem::sumOverRanks(share);
-
-    List<vector> u(n, vector(Zero));
-    List<scalar> rho(n, scalar(0));
-    List<scalar> nu(n, scalar(0));
-    List<scalar> voids(n, scalar(alpha ? 0 : 1));
-    {
-        // Decomposition of cells and point values are made by all ranks
-        mesh_.tetBasePtIs();
-        const auto at = Foam::interpolation<vector>::New(interpolation_, U);
-        const scalarField cellNu(nu_(cells));
-        forAll(mine, k)
-        {
-            const label b = mine[k];
-            u[b] = at->interpolate(state.x[b], cells[k])/share[b];
-            rho[b] = rho_[cells[k]]/share[b];
-            nu[b] = cellNu[k]/share[b];
-            if (alpha)
-            {
-                voids[b] = (*alpha)[cells[k]]/share[b];
-            }
-        }
-    }
-    dem::sumOverRanks(u);
-    dem::sumOverRanks(rho);
-    dem::sumOverRanks(nu);
-    if (alpha)
-    {
-        dem::sumOverRanks(voids);
+        return 0;
     }
 
-    fluidVelocity_.transfer(u);
-    alpha_.transfer(voids);
-    ReOverSlip_.setSize(n);
-    stokesRate_.setSize(n);
-    forAll(state.x, b)
+    scalar sum = 0;
+    for (label i = first_[b]; i < first_[b + 1]; ++i)
     {
-        const dem::shape& s = state.shapeOf(b);
-        const scalar d = s.equivalentDiameter();
-
-        ReOverSlip_[b] = d/max(nu[b], VSMALL);
-        stokesRate_[b] =
-            3*constant::mathematical::pi*rho[b]*nu[b]*d/state.mass[b];
-        if (equations == averagedEquations::B)
-        {
-            stokesRate_[b] /= alpha_[b];
-        }
-        state.fluidForce[b] =
-            buoyancy_ ? -rho[b]*s.volume()*dem_.g() : vector(Zero);
-        state.fluidTorque[b] = Zero;
+        const element& e = elements_[i];
+        sum += e.stokes > 0 ? e.stokes*factorOf(e, slip) : 0;
     }
-    state.drag = drag_.valid() ? this : nullptr;
+    return sum/inertia_[b];
 }
 
 
@@ -145,13 +91,27 @@ Foam::scalar Foam::coupling::pointForces::largestRe() const
     scalar largest = 0;
     forAll(fluidVelocity_, b)
     {
-        largest = max
-        (
-            largest,
-            ReOverSlip_[b]*mag(fluidVelocity_[b] - state.v[b])
-        );
+        const scalar slip = mag(fluidVelocity_[b] - state.v[b]);
+        for (label i = first_[b]; i < first_[b + 1]; ++i)
+        {
+            largest = max(largest, elements_[i].ReOverSlip*slip);
+        }
     }
     return largest;
+}
+
+
+Foam::scalar Foam::coupling::pointForces::shortestRelaxation() const
+{
+    const dem::bodies& state = dem_.state();
+
+    scalar fastest = 0;
+    forAll(fluidVelocity_, b)
+    {
+        fastest =
+            max(fastest, rate(b, mag(fluidVelocity_[b] - state.v[b])));
+    }
+    return fastest > 0 ? 1/fastest : GREAT;
 }
 
 

@@ -1,0 +1,354 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "fluidSampler.H"
+#include "correctedSnGrad.H"
+#include "fvcSurfaceIntegrate.H"
+#include "gaussGrad.H"
+#include "interpolation.H"
+#include "linear.H"
+#include "rankSum.H"
+#include "volFields.H"
+
+// * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- Gauss' gradient, linear, whatever fvSchemes says
+template<class Type>
+auto gradient(const GeometricField<Type, fvPatchField, volMesh>& f)
+{
+    auto grad = fv::gaussGrad<Type>::gradf
+    (
+        linearInterpolate(f),
+        "grad(" + f.name() + ')'
+    );
+    fv::gaussGrad<Type>::correctBoundaryConditions(f, grad.ref());
+    return grad;
+}
+
+
+//- The Laplacian of the velocity
+tmp<volVectorField> laplacian(const volVectorField& U)
+{
+    return fvc::surfaceIntegrate
+    (
+        U.mesh().magSf()*fv::correctedSnGrad<vector>(U.mesh()).snGrad(U)
+    );
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class FieldType>
+const FieldType& Foam::coupling::fluidSampler::lookup(const word& name) const
+{
+    const FieldType* found = mesh_.findObject<FieldType>(name);
+    if (!found)
+    {
+        FatalIOErrorInFunction(forces_)
+            << "A force needs the field " << name << " ("
+            << FieldType::typeName << "), but the solver has none." << nl
+            << "    Fields of this type: "
+            << mesh_.sortedNames<FieldType>() << exit(FatalIOError);
+    }
+    return *found;
+}
+
+
+template<class Type, class Setter>
+void Foam::coupling::fluidSampler::interpolate
+(
+    const GeometricField<Type, fvPatchField, volMesh>& field,
+    const UList<point>& points,
+    const labelUList& mine,
+    const labelUList& cells,
+    const Setter& set
+) const
+{
+    const auto at = Foam::interpolation<Type>::New(scheme_, field);
+    forAll(mine, k)
+    {
+        set(mine[k], at->interpolate(points[mine[k]], cells[k]));
+    }
+}
+
+
+void Foam::coupling::fluidSampler::sampleDerived
+(
+    const volVectorField& U,
+    const UList<point>& points,
+    const labelUList& mine,
+    const labelUList& cells,
+    List<fluidAtPoint>& fluid
+) const
+{
+    if (needs(fluidAtPoint::stressDivergence))
+    {
+        interpolate
+        (
+            laplacian(U)(),
+            points,
+            mine,
+            cells,
+            [&](const label b, const vector& value)
+            {
+                fluid[b].divTau = fluid[b].rho*fluid[b].nu*value;
+            }
+        );
+    }
+    if
+    (
+        !needs(fluidAtPoint::acceleration) && !needs(fluidAtPoint::vorticity)
+    )
+    {
+        return;
+    }
+
+    const tmp<volTensorField> gradU(gradient(U));
+    if (needs(fluidAtPoint::vorticity))
+    {
+        interpolate
+        (
+            gradU(),
+            points,
+            mine,
+            cells,
+            [&](const label b, const tensor& value)
+            {
+                fluid[b].curlU = 2*(*skew(value));
+            }
+        );
+    }
+    if (needs(fluidAtPoint::acceleration))
+    {
+        const dimensionedScalar dt
+        (
+            "dt",
+            dimTime,
+            mesh_.time().deltaT0Value()
+        );
+        interpolate
+        (
+            ((U - U.oldTime())/dt + (U & gradU()))(),
+            points,
+            mine,
+            cells,
+            [&](const label b, const vector& value)
+            {
+                fluid[b].DuDt = value;
+            }
+        );
+    }
+}
+
+
+void Foam::coupling::fluidSampler::samplePressure
+(
+    const UList<point>& points,
+    const labelUList& mine,
+    const labelUList& cells,
+    List<fluidAtPoint>& fluid
+) const
+{
+    const volScalarField& p = lookup<volScalarField>("p").oldTime();
+    const bool kinematic = p.dimensions() != dimPressure;
+    const bool weighs = mesh_.foundObject<volScalarField>("p_rgh");
+    interpolate
+    (
+        gradient(p)(),
+        points,
+        mine,
+        cells,
+        [&](const label b, const vector& value)
+        {
+            const scalar rho = fluid[b].rho;
+            fluid[b].gradP = kinematic ? rho*value : value;
+            if (weighs)
+            {
+                fluid[b].gradP -= rho*g_;
+            }
+        }
+    );
+}
+
+
+void Foam::coupling::fluidSampler::sampleTurbulence
+(
+    const labelUList& mine,
+    const labelUList& cells,
+    List<fluidAtPoint>& fluid
+) const
+{
+    const auto& k = lookup<volScalarField>("k").oldTime();
+    const bool omega = !mesh_.foundObject<volScalarField>("epsilon");
+    const auto& rate =
+        lookup<volScalarField>(omega ? "omega" : "epsilon").oldTime();
+    forAll(mine, i)
+    {
+        fluidAtPoint& f = fluid[mine[i]];
+        f.k = k[cells[i]];
+        f.epsilon = omega ? 0.09*f.k*rate[cells[i]] : rate[cells[i]];
+    }
+}
+
+
+void Foam::coupling::fluidSampler::share(List<fluidAtPoint>& fluid) const
+{
+    if (!Pstream::parRun())
+    {
+        return;
+    }
+
+    // The points of other ranks are 0 here, so that a sum is a copy
+    static_assert
+    (
+        sizeof(fluidAtPoint) % sizeof(scalar) == 0,
+        "a list of numbers"
+    );
+    const label stride = sizeof(fluidAtPoint)/sizeof(scalar);
+    scalar* values = reinterpret_cast<scalar*>(fluid.data());
+    List<scalar> all(UList<scalar>(values, stride*fluid.size()));
+    dem::sumOverRanks(all);
+    std::copy(all.begin(), all.end(), values);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::coupling::fluidSampler::fluidSampler
+(
+    const fvMesh& mesh,
+    const cellBins& bins,
+    const fluidDensity& rho,
+    const dictionary& fluid,
+    const dictionary& forces,
+    const vector& g,
+    const word& scheme,
+    const unsigned needs
+)
+:
+    mesh_(mesh),
+    bins_(bins),
+    rho_(rho),
+    nu_(mesh, fluid),
+    forces_(forces),
+    g_(g),
+    scheme_(scheme),
+    needs_(needs)
+{
+    // From here on the solver keeps the old time levels
+    const volVectorField& U = lookup<volVectorField>("U").oldTime();
+    if (this->needs(fluidAtPoint::acceleration))
+    {
+        U.oldTime();
+    }
+    if (this->needs(fluidAtPoint::pressureGradient))
+    {
+        lookup<volScalarField>("p").oldTime();
+    }
+    if (this->needs(fluidAtPoint::turbulence))
+    {
+        lookup<volScalarField>("k").oldTime();
+        lookup<volScalarField>
+        (
+            mesh.foundObject<volScalarField>("epsilon") ? "epsilon" : "omega"
+        ).oldTime();
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::List<Foam::coupling::fluidAtPoint>
+Foam::coupling::fluidSampler::sample
+(
+    const UList<point>& points,
+    const volVectorField& U,
+    const volScalarField* voidFraction
+) const
+{
+    List<fluidAtPoint> fluid(points.size());
+
+    // Who has a point: the lowest rank that finds it
+    labelList cellOf(points.size());
+    List<scalar> claim(points.size());
+    forAll(points, b)
+    {
+        cellOf[b] = bins_.find(points[b]);
+        claim[b] = cellOf[b] < 0 ? 0 : Pstream::nProcs() - Pstream::myProcNo();
+    }
+    const List<scalar> own(claim);
+    dem::maxOverRanks(claim);
+    DynamicList<label> mine, cells;
+    forAll(points, b)
+    {
+        if (cellOf[b] >= 0 && own[b] == claim[b])
+        {
+            mine.append(b);
+            cells.append(cellOf[b]);
+        }
+        else
+        {
+            // A sum over the ranks follows; nobody's point is in no fluid
+            fluid[b].voidFraction = 0;
+        }
+    }
+
+    // Decomposition of cells and point values are made by all ranks
+    mesh_.tetBasePtIs();
+    const scalarField cellNu(nu_(cells));
+    forAll(mine, k)
+    {
+        fluid[mine[k]].rho = rho_[cells[k]];
+        fluid[mine[k]].nu = cellNu[k];
+    }
+    interpolate
+    (
+        U,
+        points,
+        mine,
+        cells,
+        [&](const label b, const vector& value) { fluid[b].u = value; }
+    );
+    if (voidFraction)
+    {
+        interpolate
+        (
+            *voidFraction,
+            points,
+            mine,
+            cells,
+            [&](const label b, const scalar value)
+            {
+                fluid[b].voidFraction = value;
+            }
+        );
+    }
+    sampleDerived(U, points, mine, cells, fluid);
+    if (needs(fluidAtPoint::pressureGradient))
+    {
+        samplePressure(points, mine, cells, fluid);
+    }
+    if (needs(fluidAtPoint::turbulence))
+    {
+        sampleTurbulence(mine, cells, fluid);
+    }
+    share(fluid);
+    return fluid;
+}
+
+
+// ************************************************************************* //

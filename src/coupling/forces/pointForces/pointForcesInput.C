@@ -1,0 +1,131 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "pointForces.H"
+#include "allowedKeys.H"
+#include "checkedEntry.H"
+#include "interpolation.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::coupling::pointForces::checkInput(const dictionary& forces) const
+{
+    wordList keys(pointForce::names());
+    keys.append("drag");
+    keys.append("clumps");
+    keys.append("interpolation");
+    dem::checkKeys(forces, keys);
+
+    if (forces.isDict("drag"))
+    {
+        dem::checkKeys(forces.subDict("drag"), {"law", "sphericity"});
+    }
+}
+
+
+Foam::word Foam::coupling::pointForces::interpolationScheme
+(
+    const dictionary& forces
+)
+{
+    return dem::getChoice
+    (
+        forces,
+        "interpolation",
+        Foam::interpolation<vector>::dictionaryConstructorTablePtr_
+      ->sortedToc(),
+        "cellPoint"
+    );
+}
+
+
+void Foam::coupling::pointForces::readDrag(const dictionary& forces)
+{
+    sumOfSpheres_ =
+        dem::getChoice
+        (
+            forces,
+            "clumps",
+            {"equivalentSphere", "sumOfSpheres"},
+            "equivalentSphere"
+        ) == "sumOfSpheres";
+    if (!drag_.valid())
+    {
+        return;
+    }
+
+    if (forces.isDict("drag") && forces.subDict("drag").found("sphericity"))
+    {
+        const dictionary& dict = forces.subDict("drag");
+        sphericity_ = dem::getInRange(dict, "sphericity", 0.01, 1);
+        if (!drag_->shaped())
+        {
+            dem::badEntry
+            (
+                dict,
+                "sphericity",
+                "is of no use: the law " + drag_->type()
+              + " is that of a sphere; take it out"
+            );
+        }
+    }
+    if (sumOfSpheres_ && drag_->shaped())
+    {
+        dem::badEntry
+        (
+            forces,
+            "clumps",
+            "is sumOfSpheres, but the law " + drag_->type()
+          + " is that of a whole body; take equivalentSphere"
+        );
+    }
+}
+
+
+void Foam::coupling::pointForces::readForces(const dictionary& forces)
+{
+    if
+    (
+        pointForce::switchedOn("saffman", forces)
+     && pointForce::switchedOn("mei", forces)
+    )
+    {
+        dem::badEntry
+        (
+            forces,
+            "saffman",
+            "and mei are the same lift, by two laws: take one out"
+        );
+    }
+
+    for (const word& name : pointForce::names())
+    {
+        autoPtr<pointForce> force(pointForce::New(name, dem_.g(), forces));
+        if (force.valid())
+        {
+            forces_.append(force);
+        }
+    }
+}
+
+
+void Foam::coupling::pointForces::report(const word& scheme) const
+{
+    Info<< "    forces: drag "
+        << (drag_.valid() ? drag_->type() : word("none"));
+    for (const pointForce& f : forces_)
+    {
+        Info<< ", " << f.type();
+    }
+    Info<< ", interpolation " << scheme << endl;
+}
+
+
+// ************************************************************************* //
