@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "cloudState.H"
+#include "forceMemory.H"
 #include "savedBodies.H"
 #include "savedFile.H"
 #include "dictionaryText.H"
@@ -391,7 +392,8 @@ bool Foam::cloudState::read
 (
     const fvMesh& mesh,
     dem::demSolver& dem,
-    coupling::implicitForcing* immersed
+    coupling::implicitForcing* immersed,
+    coupling::pointForces* points
 )
 {
     const IOdictionary dict(counters(mesh, IOobject::MUST_READ));
@@ -433,6 +435,15 @@ bool Foam::cloudState::read
     if (fluid && immersed)
     {
         readCarried(saved, *immersed);
+    }
+    if (points)
+    {
+        readForceMemory
+        (
+            saved,
+            dict.lookupOrDefault<wordList>("forceMemory", wordList()),
+            *points
+        );
     }
 
     // The name of a time directory has fewer digits than the time

@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "cloudState.H"
+#include "forceMemory.H"
 #include "OFstream.H"
 #include "OSspecific.H"
 #include "PstreamReduceOps.H"
@@ -119,6 +120,7 @@ Foam::autoPtr<Foam::IOdictionary> Foam::cloudState::write
     lagrangianWriter& out,
     const dem::demSolver& dem,
     const coupling::implicitForcing* immersed,
+    const coupling::pointForces* points,
     const dictionary& meters,
     const bool complete
 )
@@ -143,6 +145,12 @@ Foam::autoPtr<Foam::IOdictionary> Foam::cloudState::write
         writeCarried(out, *immersed, state.size());
     }
 
+    wordList remembering;
+    if (points)
+    {
+        remembering = writeForceMemory(out, state, *points);
+    }
+
     const dem::contactHistory history(dem.history());
     writePairs(out, state, history.pairs, dem.period().active());
     writeWalls(out, state, history.walls);
@@ -161,6 +169,10 @@ Foam::autoPtr<Foam::IOdictionary> Foam::cloudState::write
     dict->add("walls", dem.walls());
     dem.writeCounters(*dict);
     dict->add("meters", meters);
+    if (remembering.size())
+    {
+        dict->add("forceMemory", remembering);
+    }
     dict->add("checksums", out.checksums());
     dict->add("checksum", textChecksum(*dict));
     return dict;

@@ -287,7 +287,8 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const fluidAccess access)
         (
             mesh,
             *dem_,
-            immersed_.valid() ? immersed_.get() : nullptr
+            immersed_.valid() ? immersed_.get() : nullptr,
+            points_.valid() ? points_.get() : nullptr
         );
     if (input.restart)
     {

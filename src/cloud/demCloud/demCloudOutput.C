@@ -82,6 +82,7 @@ void Foam::demCloud::writeBodies() const
         out,
         *dem_,
         immersed_.valid() ? immersed_.get() : nullptr,
+        points_.valid() ? points_.get() : nullptr,
         meters_->counters(),
         !advancing_
     );
