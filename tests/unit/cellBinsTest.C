@@ -114,6 +114,65 @@ TEST(cellBins, find)
 }
 
 
+// From any cell, the same is found: points inside, on faces, edges and corners,
+// and outside
+TEST(cellBins, walk)
+{
+    label differ = 0;
+    label asked = 0;
+    for (const blockMesh::kind kind : kinds)
+    {
+        const blockMesh block(kind, 1, 7);
+        const polyMesh& mesh = block();
+        const coupling::cellBins bins(mesh);
+        Random random(3);
+        for (label k = 0; k < 3000; ++k)
+        {
+            point p = 1.1*(random.sample01<vector>() - 0.5*vector::one);
+            if (k % 5 == 0)
+            {
+                p = mesh.faceCentres()[k % mesh.nFaces()];
+            }
+            if (k % 5 == 1)
+            {
+                p = mesh.points()[k % mesh.nPoints()];
+            }
+            const label near = label(random.sample01<scalar>()*mesh.nCells());
+            ++asked;
+            differ += bins.find(p) != bins.find(p, near);
+        }
+        differ += bins.find(Zero) != bins.find(Zero, mesh.nCells() + 5);
+    }
+    figure("cellBins_walk", differ, 0, 0, "points",
+           "9,000 walks from any cell against the tree");
+    EXPECT_EQ(asked, 9000);
+}
+
+
+// A mesh graded by a factor of 1000: a search looks at few cells all the same
+TEST(cellBins, graded)
+{
+    const blockMesh block(blockMesh::kind::hex, 1, 20);
+    pointField points(block().points());
+    for (point& p : points)
+    {
+        // From -1/2 to 1/2, cells grow by 1.44 each
+        p.x() = (std::pow(1000.0, p.x() + 0.5) - 1)/999 - 0.5;
+    }
+    polyMesh& mesh = const_cast<polyMesh&>(block());
+    mesh.movePoints(points);
+
+    coupling::cellTree tree(mesh);
+    label most = 0;
+    for (const point& p : mesh.cellCentres())
+    {
+        most = max(most, tree.forEach(p, [](const label) {}));
+    }
+    figure("cellTree_looks", most, 1, 40, "cells",
+           "of 8,000 on a mesh graded by 1000");
+}
+
+
 TEST(cellBins, ballsBruteForce)
 {
     label missed = 0;

@@ -91,6 +91,7 @@ void Foam::demCloud::readCoupling(const fluidAccess access)
             (
                 mesh_,
                 bins_,
+                cells_,
                 *dem_,
                 *rho_,
                 dict_.subDict("fluid"),

@@ -230,6 +230,7 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const fluidAccess access)
     coupling_("none"),
     patches_(mesh),
     bins_(mesh),
+    cells_(bins_),
     exits_(mesh),
     timeIndex_(-1),
     vtp_(false),

@@ -69,10 +69,11 @@ void Foam::demCloud::removeLeaving(const scalar t)
     const dem::bodies& state = dem_->state();
     PtrList<dem::sink>& sinks = dem_->sinks();
 
+    const labelList& cells = cells_.find(state);
     boolList inside(state.size());
     forAll(inside, b)
     {
-        inside[b] = bins_.find(state.x[b]) >= 0;
+        inside[b] = cells[b] >= 0;
     }
     dem::anyOverRanks(inside);
 

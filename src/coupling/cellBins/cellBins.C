@@ -54,7 +54,8 @@ void Foam::coupling::cellBins::findRadii()
 
 Foam::coupling::cellBins::cellBins(const polyMesh& mesh)
 :
-    mesh_(mesh)
+    mesh_(mesh),
+    tree_(mesh)
 {
     update();
 }
@@ -65,6 +66,7 @@ Foam::coupling::cellBins::cellBins(const polyMesh& mesh)
 void Foam::coupling::cellBins::update()
 {
     findRadii();
+    tree_.clear();
 
     const pointField& cc = mesh_.cellCentres();
     const label nCells = cc.size();
@@ -128,22 +130,82 @@ Foam::scalar Foam::coupling::cellBins::outside
 }
 
 
-Foam::label Foam::coupling::cellBins::find(const point& p) const
+Foam::label Foam::coupling::cellBins::walk
+(
+    const point& p,
+    const label start
+) const
 {
+    label c = start;
+    for (label step = 0; step < 32; ++step)
+    {
+        label through = -1;
+        scalar worst = -GREAT;
+        for (const label f : mesh_.cells()[c])
+        {
+            const vector& S = mesh_.faceAreas()[f];
+            const scalar d =
+                ((p - mesh_.faceCentres()[f]) & S)/max(mag(S), VSMALL)
+               *(mesh_.faceOwner()[f] == c ? 1 : -1);
+            if (d > worst)
+            {
+                worst = d;
+                through = f;
+            }
+        }
+
+        if (mag(worst) < 1e-6*radius_[c])
+        {
+            return -1;
+        }
+        if (worst < 0)
+        {
+            return c;
+        }
+        if (!mesh_.isInternalFace(through))
+        {
+            return -1;
+        }
+        const label owner = mesh_.faceOwner()[through];
+        c = owner == c ? mesh_.faceNeighbour()[through] : owner;
+    }
+    return -1;
+}
+
+
+Foam::label Foam::coupling::cellBins::find
+(
+    const point& p,
+    const label near
+) const
+{
+    if (near >= 0 && near < mesh_.nCells())
+    {
+        const label c = walk(p, near);
+        if (c >= 0)
+        {
+            return c;
+        }
+    }
+
     // The cell that p is deepest in. On a face, an edge or a vertex several
     // cells are as good: round-off must not make it none. (The decomposition
     // by face diagonals is made by all ranks together on first use: here, where
     // one rank may come alone, it would wait for ever.)
     // A vertex is as far from the centre as the cell's radius, but for
     // round-off, hence the small ball.
+    const pointField& cc = mesh_.cellCentres();
     label found = -1;
     scalar least = 1e-6;
-    forEach
+    tree_.forEach
     (
         p,
-        1e-6*maxRadius_,
         [&](const label c)
         {
+            if (magSqr(cc[c] - p) > sqr(1e-6*maxRadius_ + radius_[c]))
+            {
+                return;
+            }
             const scalar d = outside(p, c);
             if
             (

@@ -276,6 +276,7 @@ Foam::List<Foam::coupling::fluidAtPoint>
 Foam::coupling::fluidSampler::sample
 (
     const UList<point>& points,
+    const labelUList& near,
     const volVectorField& U,
     const volScalarField* voidFraction
 ) const
@@ -287,7 +288,7 @@ Foam::coupling::fluidSampler::sample
     List<scalar> claim(points.size());
     forAll(points, b)
     {
-        cellOf[b] = bins_.find(points[b]);
+        cellOf[b] = bins_.find(points[b], near[b]);
         claim[b] = cellOf[b] < 0 ? 0 : Pstream::nProcs() - Pstream::myProcNo();
     }
     const List<scalar> own(claim);

@@ -17,6 +17,7 @@ Foam::coupling::pointForces::pointForces
 (
     const fvMesh& mesh,
     const cellBins& bins,
+    bodyCells& cells,
     dem::demSolver& dem,
     const fluidDensity& rho,
     const dictionary& fluid,
@@ -24,6 +25,7 @@ Foam::coupling::pointForces::pointForces
 )
 :
     mesh_(mesh),
+    cells_(cells),
     dem_(dem),
     drag_(dragLaw::New(forces)),
     sphericity_(0),

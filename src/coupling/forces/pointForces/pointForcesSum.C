@@ -29,13 +29,17 @@ Foam::scalar phi(const Foam::scalar z)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::pointField Foam::coupling::pointForces::elementPoints()
+Foam::pointField Foam::coupling::pointForces::elementPoints
+(
+    labelList& near
+)
 {
     const dem::bodies& state = dem_.state();
 
-    // The centres of mass first
     DynamicList<point> points;
     points.append(state.x);
+    DynamicList<label> cells;
+    cells.append(cells_.find(state));
 
     first_.setSize(state.size() + 1);
     first_[0] = 0;
@@ -47,10 +51,12 @@ Foam::pointField Foam::coupling::pointForces::elementPoints()
             for (label s = state.firstSphere[b]; s < state.firstSphere[b + 1];)
             {
                 points.append(state.sphereX[s++]);
+                cells.append(label(cells[b]));
             }
         }
         first_[b + 1] = first_[b] + n;
     }
+    near.transfer(cells);
     return pointField(std::move(points));
 }
 
@@ -249,8 +255,9 @@ void Foam::coupling::pointForces::sample
     dem::bodies& state = dem_.state();
     const label n = state.size();
 
-    const pointField points(elementPoints());
-    List<fluidAtPoint> fluid(sampler_->sample(points, U, alpha));
+    labelList near;
+    const pointField points(elementPoints(near));
+    List<fluidAtPoint> fluid(sampler_->sample(points, near, U, alpha));
 
     elements_.setSize(first_[n]);
     fluidVelocity_.setSize(n);
