@@ -114,6 +114,25 @@ TEST(cellBins, find)
 }
 
 
+// Row 30 of the hard cases: outside by round-off is not lost
+TEST(cellBins, outsideByRoundOff)
+{
+    label lost = 0;
+    for (const blockMesh::kind kind : kinds)
+    {
+        const blockMesh block(kind, 1, 7);
+        const coupling::cellBins bins(block());
+        for (const point& p : block().points())
+        {
+            lost += bins.find(p*(1 + 1e-15)) < 0;
+            lost += bins.find(p + 1e-15*vector(1, -1, 1)) < 0;
+        }
+    }
+    figure("hard30_outside", lost, 0, 0, "points",
+           "row 30: corners of three meshes, 1e-15 off");
+}
+
+
 // From any cell, the same is found: points inside, on faces, edges and corners,
 // and outside
 TEST(cellBins, walk)

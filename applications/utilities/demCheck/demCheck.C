@@ -164,6 +164,31 @@ autoPtr<volScalarField> densityField(const fvMesh& mesh)
 }
 
 
+//- Fields that forces look up of a solver that is not there: the pressure, and
+//  those of turbulence that the case has a file of. Their values do not matter
+PtrList<volScalarField> solverFields(const fvMesh& mesh)
+{
+    PtrList<volScalarField> fields;
+    for (const word& name : {"p", "k", "epsilon", "omega"})
+    {
+        const IOobject io(name, mesh.time().timeName(), mesh);
+        if (name == "p" || isFile(io.objectPath()))
+        {
+            fields.append
+            (
+                new volScalarField
+                (
+                    io,
+                    mesh,
+                    dimensionedScalar(name, dimless, 0)
+                )
+            );
+        }
+    }
+    return fields;
+}
+
+
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
 int main(int argc, char *argv[])
@@ -181,9 +206,11 @@ int main(int argc, char *argv[])
     const bool fluid = inFluid(mesh);
     autoPtr<volVectorField> U;
     autoPtr<volScalarField> rho;
+    PtrList<volScalarField> others;
     if (fluid)
     {
         rho = densityField(mesh);
+        others = solverFields(mesh);
 
         // What the coupling looks up
         U.reset

@@ -116,6 +116,31 @@ void Foam::demCloud::markInterface()
 }
 
 
+void Foam::demCloud::samplePoints()
+{
+    const dem::bodies& state = dem_->state();
+    if (interval_.valid())
+    {
+        if (!interval_->due(state, *points_))
+        {
+            return;
+        }
+        points_->setSteps(interval_->steps());
+    }
+
+    points_->sample
+    (
+        U().oldTime(),
+        nullptr,
+        coupling::averagedEquations::none
+    );
+    if (interval_.valid())
+    {
+        interval_->exchanged(state, *points_);
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::demCloud::beginStep()
@@ -135,7 +160,7 @@ void Foam::demCloud::beginStep()
     open_ = true;
     if (interval_.valid())
     {
-        interval_->checkAsked();
+        interval_->beginStep();
     }
 
     const scalar t1 = time.value();
@@ -154,12 +179,7 @@ void Foam::demCloud::beginStep()
     if (points_.valid())
     {
         ledger::entry e(ledger_, "forces of the fluid on points");
-        points_->sample
-        (
-            U().oldTime(),
-            nullptr,
-            coupling::averagedEquations::none
-        );
+        samplePoints();
     }
 
     {
@@ -260,6 +280,10 @@ void Foam::demCloud::close()
     if (!ledger_.closed())
     {
         ledger_.close();
+        if (interval_.valid())
+        {
+            interval_->writeSummary(Info);
+        }
         writeSinks();
     }
 }

@@ -116,7 +116,12 @@ void Foam::demCloud::readCoupling(const fluidAccess access)
             )
         );
     }
+    readInterval(access);
+}
 
+
+void Foam::demCloud::readInterval(const fluidAccess access)
+{
     if (access != fluidAccess::none && dict_.found("couplingInterval"))
     {
         interval_.reset
@@ -125,7 +130,8 @@ void Foam::demCloud::readCoupling(const fluidAccess access)
             (
                 mesh_,
                 bins_,
-                dict_.subDict("couplingInterval")
+                dict_.subDict("couplingInterval"),
+                points_.valid()
             )
         );
     }

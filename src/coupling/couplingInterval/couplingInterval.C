@@ -6,7 +6,6 @@ License
     This file is part of Styx, which is free software: GPL-3.0-or-later,
     without any warranty. See the file COPYING.
 
-
 \*---------------------------------------------------------------------------*/
 
 #include "couplingInterval.H"
@@ -14,44 +13,40 @@ License
 #include "checkedEntry.H"
 #include "volFields.H"
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::coupling::couplingInterval::couplingInterval
-(
-    const fvMesh& mesh,
-    const cellBins& bins,
-    const dictionary& dict
-)
-:
-    mesh_(mesh),
-    bins_(bins),
-    dict_(dict),
-    maxCo_(0),
-    thickness_(0),
-    asked_(false)
+void Foam::coupling::couplingInterval::readBounds()
 {
-    dem::checkKeys(dict, {"maxCo"});
-    maxCo_ = dem::getPositive(dict, "maxCo");
+    dem::checkKeys(dict_, {"every", "maxCo", "relaxation", "maxChange"});
 
-    for (direction d = 0; d < 3; ++d)
+    maxCo_ = dem::getPositive(dict_, "maxCo", 0);
+    relaxation_ = dem::getPositive(dict_, "relaxation", 0);
+    maxChange_ = dem::getPositive(dict_, "maxChange", 0);
+
+    if (dict_.found("every"))
     {
-        if (mesh.solutionD()[d] < 0)
-        {
-            thickness_ = mesh.bounds().span()[d];
-        }
+        token first;
+        dict_.lookup("every").read(first);
+        every_ =
+            first.isWord() && first.wordToken() == "auto"
+          ? 0
+          : dem::getLabel(dict_, "every", 1);
+    }
+    if (every_ < 2 && !(maxCo_ + relaxation_ + maxChange_ > 0))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "There is no bound: give maxCo, relaxation or maxChange,"
+            << (every_ ? " or every 2 and more," : "")
+            << " or take couplingInterval out." << exit(FatalIOError);
     }
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::scalar Foam::coupling::couplingInterval::maxDeltaT
+Foam::scalar Foam::coupling::couplingInterval::crossing
 (
     const dem::bodies& state
-)
+) const
 {
-    asked_ = true;
-
     scalar least = GREAT;
     forAll(state.x, b)
     {
@@ -76,21 +71,241 @@ Foam::scalar Foam::coupling::couplingInterval::maxDeltaT
             least = min(least, h/max(speed, VSMALL));
         }
     }
-    return maxCo_*returnReduce(least, minOp<scalar>());
+    return returnReduce(least, minOp<scalar>());
 }
 
 
-void Foam::coupling::couplingInterval::checkAsked() const
+void Foam::coupling::couplingInterval::limit
+(
+    scalar& bound,
+    const scalar other,
+    const word& name
+)
 {
-    if (!asked_)
+    if (other < bound)
+    {
+        bound = other;
+        limit_ = name;
+    }
+}
+
+
+Foam::scalar Foam::coupling::couplingInterval::bound
+(
+    const dem::bodies& state,
+    const pointForces* points
+)
+{
+    scalar least = GREAT;
+    limit_ = "none";
+    if (maxCo_ > 0)
+    {
+        limit(least, maxCo_*crossing(state), "maxCo");
+    }
+
+    // What is known of the last exchange, unless that is lost in a restart
+    if (points && !written_ && ids_ == state.id && nExchanges_)
+    {
+        if (relaxation_ > 0)
+        {
+            const scalar tau = points->shortestRelaxation();
+            limit
+            (
+                least,
+                relaxation_*returnReduce(tau, minOp<scalar>()),
+                "relaxation"
+            );
+        }
+        if (maxChange_ > 0)
+        {
+            limit(least, changeBound_, "maxChange");
+        }
+    }
+    return least;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::coupling::couplingInterval::couplingInterval
+(
+    const fvMesh& mesh,
+    const cellBins& bins,
+    const dictionary& dict,
+    const bool points
+)
+:
+    mesh_(mesh),
+    bins_(bins),
+    dict_(dict),
+    every_(1),
+    maxCo_(0),
+    relaxation_(0),
+    maxChange_(0),
+    thickness_(0),
+    asked_(false),
+    limit_("none"),
+    steps_(1),
+    made_(0),
+    written_(true),
+    changeBound_(GREAT),
+    nSteps_(0),
+    nExchanges_(0),
+    nAbove_(0)
+{
+    readBounds();
+    for (const word& key : {"every", "relaxation", "maxChange"})
+    {
+        if (dict.found(key) && !points)
+        {
+            dem::badEntry
+            (
+                dict,
+                key,
+                "is for bodies that are points to the fluid; those around"
+                " which the flow is resolved exchange in every step"
+            );
+        }
+    }
+
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (mesh.solutionD()[d] < 0)
+        {
+            thickness_ = mesh.bounds().span()[d];
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::coupling::couplingInterval::maxDeltaT
+(
+    const dem::bodies& state,
+    const pointForces* points
+)
+{
+    asked_ = true;
+    written_ = mesh_.time().writeTime();
+    return bound(state, points)/max(every_, label(1));
+}
+
+
+void Foam::coupling::couplingInterval::beginStep()
+{
+    const bool bounded = every_ && maxCo_ + relaxation_ + maxChange_ > 0;
+    if (bounded && !asked_)
     {
         FatalIOErrorInFunction(dict_)
-            << "maxCo bounds the fluid's deltaT, but this solver has not"
+            << "The entries bound the fluid's deltaT, but this solver has not"
             << " asked for a bound: its step is fixed." << nl
             << "    Set  adjustTimeStep yes;  in controlDict, if the solver"
             << " has it (pimpleFoam, not pisoFoam or icoFoam);" << nl
             << "    otherwise take couplingInterval out and choose deltaT"
-            << " yourself." << exit(FatalIOError);
+            << " yourself, or, for bodies that are points, add  every auto;"
+            << exit(FatalIOError);
+    }
+    ++nSteps_;
+    if (bounded)
+    {
+        ++held_(limit_);
+    }
+}
+
+
+bool Foam::coupling::couplingInterval::due
+(
+    const dem::bodies& state,
+    const pointForces& points
+)
+{
+    const Time& time = mesh_.time();
+    ++made_;
+    const bool anew = written_ || ids_ != state.id;
+    const bool isDue = anew || made_ >= steps_;
+    if (isDue)
+    {
+        steps_ = every_;
+        if (!every_)
+        {
+            const scalar longest = bound(state, &points);
+            const scalar n = longest/time.deltaTValue()*(1 + 1e-9);
+            ++held_(limit_);
+            nAbove_ += n < 1;
+            steps_ = anew ? 1 : label(min(max(n, scalar(1)), scalar(1e6)));
+        }
+        if (anew)
+        {
+            forces_.clear();
+            changeBound_ = GREAT;
+        }
+        made_ = 0;
+        ++nExchanges_;
+    }
+    written_ = time.writeTime();
+    return isDue;
+}
+
+
+void Foam::coupling::couplingInterval::exchanged
+(
+    const dem::bodies& state,
+    const pointForces& points
+)
+{
+    ids_ = state.id;
+    if (!(maxChange_ > 0))
+    {
+        return;
+    }
+
+    const bool known = forces_.size();
+    scalar change = 0, size = 0;
+    forAll(state.x, b)
+    {
+        const vector F =
+            state.fluidForce[b]
+          + points.dragCoefficient(b)
+           *(points.fluidVelocity(b) - state.v[b]);
+        change += magSqr(F - forces_.lookup(state.id[b], F));
+        size += magSqr(F);
+        forces_.set(state.id[b], F);
+    }
+    reduce(change, sumOp<scalar>());
+    reduce(size, sumOp<scalar>());
+    if (!known || !(size > 0))
+    {
+        return;
+    }
+
+    // At most twice the last one: a force that stands still says little
+    const scalar last = steps_*mesh_.time().deltaTValue();
+    const scalar part = sqrt(change/size);
+    changeBound_ = last*min(maxChange_/max(part, VSMALL), scalar(2));
+}
+
+
+void Foam::coupling::couplingInterval::writeSummary(Ostream& os) const
+{
+    if (!nSteps_)
+    {
+        return;
+    }
+    os  << "    Coupling: " << nSteps_ << " steps of the fluid";
+    if (nExchanges_)
+    {
+        os  << ", " << nExchanges_ << " exchanges";
+    }
+    for (const word& name : held_.sortedToc())
+    {
+        os  << "; least bound " << name << ' ' << held_[name];
+    }
+    os  << nl;
+    if (nAbove_)
+    {
+        os  << "    The step of the fluid was above the bound in " << nAbove_
+            << " exchanges" << nl;
     }
 }
 

@@ -193,7 +193,8 @@ bool Foam::functionObjects::demCloudFunctionObject::adjustTimeStep()
     const scalar left = timeToNextWrite();
     const scalar deltaT =
         left < VGREAT ? left/ceil(left/bound - 1e-9) : bound;
-    Info<< "demCloud: deltaT bounded by maxCo" << endl;
+    Info<< "demCloud: deltaT bounded by " << particles().deltaTBound()
+        << endl;
     const_cast<Time&>(time_).setDeltaT(deltaT, false);
     return true;
 }

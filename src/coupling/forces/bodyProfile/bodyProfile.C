@@ -122,6 +122,15 @@ Foam::coupling::bodyProfile::bodyProfile
     {
         surface_ = 4*section_/sphericity;
     }
+    else if (4*section_ > (1 + 1e-6)*surface_)
+    {
+        FatalErrorInFunction
+            << "The shape " << s.name() << " has a volume of " << s.volume()
+            << " m3, which no surface of " << surface_ << " m2 can hold, that"
+            << " of its spheres." << nl
+            << "    The body that it stands for is larger than they are: give"
+            << " its sphericity in drag." << exit(FatalError);
+    }
 
     // No convex body has a shadow above half its surface
     if (0.5*surface_ < (1 - 1e-3)*cmptMax(shadow_))

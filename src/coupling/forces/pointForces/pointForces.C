@@ -31,6 +31,7 @@ Foam::coupling::pointForces::pointForces
     sphericity_(0),
     sumOfSpheres_(false),
     followsBody_(drag_.valid()),
+    steps_(1),
     equations_(averagedEquations::none),
     warned_(false)
 {

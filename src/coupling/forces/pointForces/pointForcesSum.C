@@ -208,6 +208,39 @@ Foam::vector Foam::coupling::pointForces::meanTorque
 }
 
 
+void Foam::coupling::pointForces::act
+(
+    const label b,
+    fluidAtPoint& fluid,
+    const UList<fluidAtPoint>& atElements,
+    const scalar dt
+)
+{
+    dem::bodies& state = dem_.state();
+
+    pointSum sum;
+    if (fluid.rho > 0)
+    {
+        const pointBody body(bodyOf(b, dt));
+        for (pointForce& f : forces_)
+        {
+            f.note(body, fluid);
+        }
+        for (const pointForce& f : forces_)
+        {
+            f.add(body, fluid, sum);
+        }
+    }
+
+    inertia_[b] = state.mass[b] + sum.addedMass;
+    exchanged_[b] = sum.force;
+    setDrag(b, fluid, atElements);
+    state.fluidForce[b] = sum.force + sum.undisturbed;
+    state.fluidTorque[b] =
+        meanTorque(b, sum, 0.5*fluid.curlU, atElements, dt);
+}
+
+
 void Foam::coupling::pointForces::checkRange()
 {
     if (warned_ || !drag_.valid())
@@ -251,7 +284,7 @@ void Foam::coupling::pointForces::sample
 )
 {
     equations_ = equations;
-    const scalar dt = mesh_.time().deltaTValue();
+    const scalar dt = steps_*mesh_.time().deltaTValue();
     dem::bodies& state = dem_.state();
     const label n = state.size();
 
@@ -263,41 +296,21 @@ void Foam::coupling::pointForces::sample
     fluidVelocity_.setSize(n);
     inertia_.setSize(n);
     exchanged_.setSize(n);
+
+    // A clump's spheres follow the centres of mass
     label next = n;
     forAll(state.x, b)
     {
         const label nElements = first_[b + 1] - first_[b];
-        const pointBody body(bodyOf(b, dt));
-        for (pointForce& f : forces_)
-        {
-            f.note(body, fluid[b]);
-        }
-
-        pointSum sum;
-        if (fluid[b].rho > 0)
-        {
-            for (const pointForce& f : forces_)
-            {
-                f.add(body, fluid[b], sum);
-            }
-        }
-
-        // A clump's spheres follow the centres of mass
         const bool whole = nElements == 1;
-        const SubList<fluidAtPoint> atElements
+        act
         (
-            fluid,
-            nElements,
-            whole ? b : next
+            b,
+            fluid[b],
+            SubList<fluidAtPoint>(fluid, nElements, whole ? b : next),
+            dt
         );
         next += whole ? 0 : nElements;
-
-        inertia_[b] = state.mass[b] + sum.addedMass;
-        exchanged_[b] = sum.force;
-        setDrag(b, fluid[b], atElements);
-        state.fluidForce[b] = sum.force + sum.undisturbed;
-        state.fluidTorque[b] =
-            meanTorque(b, sum, 0.5*fluid[b].curlU, atElements, dt);
     }
 
     for (pointForce& f : forces_)
