@@ -233,7 +233,13 @@ bool Foam::coupling::couplingInterval::due
             const scalar n = longest/time.deltaTValue()*(1 + 1e-9);
             ++held_(limit_);
             nAbove_ += n < 1;
-            steps_ = anew ? 1 : label(min(max(n, scalar(1)), scalar(1e6)));
+
+            // The change is known from the third exchange on
+            const bool known = !(maxChange_ > 0) || changeBound_ < GREAT;
+            steps_ =
+                anew || !known
+              ? 1
+              : label(min(max(n, scalar(1)), scalar(1e6)));
         }
         if (anew)
         {
