@@ -18,6 +18,10 @@ namespace
 using namespace Foam;
 using namespace Foam::dem;
 
+// Spheres from which on it pays to fetch those of later contacts: with 10,000
+// a sweep loses 4 %, with 50,000 it gains 5 %
+const label fetchedFrom = 20000;
+
 struct namedSet
 {
     const char* name;
@@ -154,6 +158,7 @@ Foam::dem::contactSummary Foam::dem::contactModel::addForces
     data.w = &r.w[0].x;
     data.ft = &r.ft[0].first.x;
     data.material = state.material();
+    data.fetches = state.nSpheres() > fetchedFrom;
     data.pairs = materials_.pairs().cdata();
     data.nMaterials = materials_.names().size();
     data.dt = dt;

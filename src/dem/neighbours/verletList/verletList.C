@@ -186,7 +186,7 @@ void Foam::dem::verletList::setNear(const packedBodies& state)
         }
     };
     setTouch();
-    near_.start(state, 0.5*skin, slowest);
+    near_.start(state, 0.5*skin, slowest, 0.05);
     const scalar* allowed = near_.allowed.cdata();
     nearPairs_.clear();
     for (const spherePair& p : pairs_)
@@ -259,7 +259,8 @@ void Foam::dem::verletList::placement::start
 (
     const packedBodies& state,
     const scalar distance,
-    const scalar part
+    const scalar part,
+    const scalar worth
 )
 {
     const label n = state.nSpheres();
@@ -279,7 +280,10 @@ void Foam::dem::verletList::placement::start
 
     moved = 0;
     left = part*distance;
+    least = worth*distance;
 }
+
+
 bool Foam::dem::verletList::placement::over(const packedBodies& state)
 {
     if (moved > left)
@@ -292,8 +296,12 @@ bool Foam::dem::verletList::placement::over(const packedBodies& state)
         }
         moved = 0;
     }
-    return left < 0;
+
+    // To look at all again in a few steps costs more than the way that is left
+    return left < least;
 }
+
+
 void Foam::dem::verletList::moved(const scalar distance)
 {
     // The step before was undone, perhaps after the list was made
@@ -334,7 +342,7 @@ void Foam::dem::verletList::build(const packedBodies& state)
     }
     skin_ = n ? relativeSkin_*sum/n : 0;
 
-    far_.start(state, 0.5*skin_, 1);
+    far_.start(state, 0.5*skin_, 1, 0.01);
     search(state);
     for (const label lane : blocks_.touching())
     {
