@@ -10,6 +10,7 @@ License
 
 #include "caseCheck.H"
 #include "implicitForcing.H"
+#include "ranksOf.H"
 #include "rankSum.H"
 
 #include <algorithm>
@@ -49,16 +50,42 @@ Foam::scalar Foam::caseCheck::cellAt(const point& p) const
 }
 
 
+void Foam::caseCheck::shareKinds()
+{
+    if (!dem_.group().shared())
+    {
+        return;
+    }
+
+    // The same kinds in the same order on all ranks
+    const dem::bodies& state = dem_.state();
+    const label m = dem_.mats().names().size();
+    List<scalar> there(dem_.shapes().size()*m, scalar(0));
+    forAll(state.x, b)
+    {
+        there[state.shapeI[b]*m + state.materialI[b]] = 1;
+    }
+    dem::maxOverRanks(there);
+    forAll(there, i)
+    {
+        if (there[i] > 0)
+        {
+            kindOf(i/m, i % m);
+        }
+    }
+}
+
+
 void Foam::caseCheck::collectBodies()
 {
     const dem::bodies& state = dem_.state();
+    const dem::rankGroup& group = dem_.group();
     const label stride = 1 + state.size()/1000;
 
-    boolList inside(state.size());
+    shareKinds();
+    const boolList inside(coupling::areInMesh(mesh_, bins_, dem_));
     forAll(state.x, b)
     {
-        inside[b] = bins_.find(state.x[b]) >= 0;
-
         kind& k = kindOf(state.shapeI[b], state.materialI[b]);
         ++k.nStart;
         k.speed = max(k.speed, mag(state.v[b]));
@@ -75,7 +102,6 @@ void Foam::caseCheck::collectBodies()
         }
     }
 
-    dem::anyOverRanks(inside);
     const label out = inside.find(false);
     if (out >= 0 && !around_.restart)
     {
@@ -89,6 +115,8 @@ void Foam::caseCheck::collectBodies()
 
     for (kind& k : kinds_)
     {
+        k.nStart = group.sum(k.nStart);
+        k.speed = group.max(k.speed);
         reduce(k.cell, minOp<scalar>());
         k.cell /= scalar(1 << around_.levels);
     }
@@ -271,10 +299,14 @@ void Foam::caseCheck::checkMemory()
         }
     }
 
+    const bool shared = dem_.group().shared();
+    bodies /= shared ? Pstream::nProcs() : 1;
     addFigure
     (
         "memoryBodies", bodies/1048576, "MB",
-        "all bodies and their contacts, on each rank"
+        shared
+      ? "bodies and their contacts, on each rank"
+      : "all bodies and their contacts, on each rank"
     );
     if (resolved())
     {
@@ -336,7 +368,7 @@ Foam::caseCheck::caseCheck
     {
         toCome += k.nToCome;
     }
-    addFigure("bodies", dem.state().size(), "-", "bodies at the start");
+    addFigure("bodies", dem.nBodies(), "-", "bodies at the start");
     addFigure
     (
         "bodiesToCome", std::round(toCome), "-", "bodies that generators bring"

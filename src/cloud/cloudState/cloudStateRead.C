@@ -11,6 +11,7 @@ License
 #include "cloudState.H"
 #include "forceMemory.H"
 #include "savedBodies.H"
+#include "savedContacts.H"
 #include "savedFile.H"
 #include "dictionaryText.H"
 #include "IOdictionary.H"
@@ -22,26 +23,6 @@ namespace
 
 using namespace Foam;
 using cloudState::savedBodies;
-
-//- Index of the sphere that a body counts as number s
-label sphereOf
-(
-    const dem::bodies& state,
-    const label b,
-    const label s,
-    const savedBodies& saved,
-    const word& field
-)
-{
-    if (b < 0 || s < 0 || s >= state.shapeOf(b).radii().size())
-    {
-        saved.bad(field)
-            << "A contact names a body or a sphere that is not there."
-            << exit(FatalIOError);
-    }
-    return state.firstSphere[b] + s;
-}
-
 
 void readBodies
 (
@@ -128,155 +109,6 @@ void readCarried
     {
         immersed.setCarried(b, {{v[b], omega[b]}, force[b], torque[b]});
     }
-}
-
-
-//- The image of the partner in each contact; the original without a seam
-List<labelField> readImages
-(
-    const savedBodies& saved,
-    const UList<vectorField>& slip,
-    const bool periodic
-)
-{
-    List<labelField> images(slip.size());
-    if (!periodic)
-    {
-        forAll(images, b)
-        {
-            images[b] =
-                labelField(slip[b].size(), label(dem::periodicity::original));
-        }
-        return images;
-    }
-
-    const word name("contactImage");
-    images = saved.lists<label>(name);
-    forAll(images, b)
-    {
-        bool good = images[b].size() == slip[b].size();
-        for (const label image : images[b])
-        {
-            good = good && image >= 0 && image < 27;
-        }
-        if (!good)
-        {
-            saved.bad(name)
-                << "Body " << saved.id[b] << " has the images " << images[b]
-                << " for " << slip[b].size() << " contacts: one each, from 0 to"
-                << " 26." << exit(FatalIOError);
-        }
-    }
-    return images;
-}
-
-
-List<dem::verletList::pairHistory> readPairs
-(
-    const savedBodies& saved,
-    const dem::bodies& state,
-    const bool periodic
-)
-{
-    const word name("contactSpheres");
-    const List<labelField> spheres(saved.lists<label>(name));
-    const List<vectorField> slip(saved.lists<vector>("contactSlip"));
-    const List<labelField> images(readImages(saved, slip, periodic));
-
-    Map<label> indexOf(2*state.size());
-    forAll(saved.id, b)
-    {
-        indexOf.insert(saved.id[b], b);
-    }
-
-    DynamicList<dem::verletList::pairHistory> pairs;
-    forAll(spheres, b)
-    {
-        if (spheres[b].size() != 3*slip[b].size())
-        {
-            saved.bad(name)
-                << "Body " << saved.id[b] << " has " << spheres[b].size()
-                << " numbers for " << slip[b].size() << " contacts."
-                << exit(FatalIOError);
-        }
-        forAll(slip[b], k)
-        {
-            const label* number = &spheres[b][3*k];
-            const label other = indexOf.lookup(number[1], -1);
-            const label i = sphereOf(state, b, number[0], saved, name);
-            const label j = sphereOf(state, other, number[2], saved, name);
-            if (other <= b)
-            {
-                saved.bad(name)
-                    << "The contact of body " << saved.id[b] << " with body "
-                    << number[1] << " is on the wrong one."
-                    << exit(FatalIOError);
-            }
-            pairs.append
-            (
-                dem::verletList::pairHistory{{i, j, images[b][k]}, slip[b][k]}
-            );
-        }
-    }
-    return List<dem::verletList::pairHistory>(std::move(pairs));
-}
-
-
-List<dem::wallTouch> readWalls
-(
-    const savedBodies& saved,
-    const dem::bodies& state,
-    const wordList& savedWalls,
-    const wordList& walls
-)
-{
-    const word name("wallSpheres");
-    const List<labelField> spheres(saved.lists<label>(name));
-    const List<vectorField> normal(saved.lists<vector>("wallNormal"));
-    const List<vectorField> slip(saved.lists<vector>("wallSlip"));
-
-    DynamicList<dem::wallTouch> touches;
-    forAll(spheres, b)
-    {
-        if
-        (
-            spheres[b].size() != 2*slip[b].size()
-         || normal[b].size() != slip[b].size()
-        )
-        {
-            saved.bad(name)
-                << "Body " << saved.id[b] << " has " << spheres[b].size()
-                << " numbers and " << normal[b].size() << " normals for "
-                << slip[b].size() << " contacts." << exit(FatalIOError);
-        }
-        forAll(slip[b], k)
-        {
-            const label w = spheres[b][2*k + 1];
-            if (w < 0 || w >= savedWalls.size())
-            {
-                saved.bad(name)
-                    << "Body " << saved.id[b] << " touches wall number " << w
-                    << " of " << savedWalls << "." << exit(FatalIOError);
-            }
-
-            // A wall that is not in the case any more is not touched
-            const label wallI = walls.find(savedWalls[w]);
-            if (wallI < 0)
-            {
-                continue;
-            }
-            dem::wallTouch t;
-            t.sphere = sphereOf(state, b, spheres[b][2*k], saved, name);
-            t.wallI = wallI;
-            t.p = state.sphereX[t.sphere];
-            t.n = normal[b][k];
-            t.overlap = 0;
-            t.xi = slip[b][k];
-            t.likeness = 0;
-            touches.append(t);
-        }
-    }
-    return List<dem::wallTouch>(std::move(touches));
 }
 
 
@@ -412,23 +244,10 @@ bool Foam::cloudState::read
             << mesh.time().timeName() << "." << exit(FatalIOError);
     }
 
-    const savedBodies saved(mesh, dict);
+    const savedBodies saved(mesh, dict, dem.group());
     checkCounters(dict);
     readBodies(saved, dict, dem);
-    dem.setHistory
-    (
-        dem::contactHistory
-        {
-            readPairs(saved, dem.state(), dem.period().active()),
-            readWalls
-            (
-                saved,
-                dem.state(),
-                dict.get<wordList>("walls"),
-                dem.walls()
-            )
-        }
-    );
+    readContacts(saved, dict.get<wordList>("walls"), dem);
     dem.readCounters(dict);
 
     const bool fluid = dict.get<bool>("fluid");

@@ -60,6 +60,7 @@ void writePairs
 (
     lagrangianWriter& out,
     const dem::bodies& state,
+    const dem::bodies& all,
     const UList<dem::verletList::pairHistory>& pairs,
     const bool periodic
 )
@@ -69,13 +70,18 @@ void writePairs
     List<DynamicList<vector>> slip(state.size());
     for (const dem::verletList::pairHistory& h : pairs)
     {
-        const label a = state.sphereBody[h.pair.i];
-        const label b = state.sphereBody[h.pair.j];
-        spheres[a].append(h.pair.i - state.firstSphere[a]);
-        spheres[a].append(state.id[b]);
-        spheres[a].append(h.pair.j - state.firstSphere[b]);
-        slip[a].append(h.xi);
-        image[a].append(h.pair.image);
+        // The owner of the first body writes it
+        const label i = all.sphereBody[h.pair.i];
+        const label j = all.sphereBody[h.pair.j];
+        const label a = all.owns(i) ? state.find(all.id[i]) : -1;
+        if (a >= 0)
+        {
+            spheres[a].append(h.pair.i - all.firstSphere[i]);
+            spheres[a].append(all.id[j]);
+            spheres[a].append(h.pair.j - all.firstSphere[j]);
+            slip[a].append(h.xi);
+            image[a].append(h.pair.image);
+        }
     }
     out.writeLists("contactSpheres", spheres);
     out.writeLists("contactSlip", slip);
@@ -90,6 +96,7 @@ void writeWalls
 (
     lagrangianWriter& out,
     const dem::bodies& state,
+    const dem::bodies& all,
     const UList<dem::wallTouch>& touches
 )
 {
@@ -98,11 +105,15 @@ void writeWalls
     List<DynamicList<vector>> slip(state.size());
     for (const dem::wallTouch& t : touches)
     {
-        const label b = state.sphereBody[t.sphere];
-        spheres[b].append(t.sphere - state.firstSphere[b]);
-        spheres[b].append(t.wallI);
-        normal[b].append(t.n);
-        slip[b].append(t.xi);
+        const label i = all.sphereBody[t.sphere];
+        const label b = state.find(all.id[i]);
+        if (b >= 0)
+        {
+            spheres[b].append(t.sphere - all.firstSphere[i]);
+            spheres[b].append(t.wallI);
+            normal[b].append(t.n);
+            slip[b].append(t.xi);
+        }
     }
     out.writeLists("wallSpheres", spheres);
     out.writeLists("wallNormal", normal);
@@ -152,8 +163,9 @@ Foam::autoPtr<Foam::IOdictionary> Foam::cloudState::write
     }
 
     const dem::contactHistory history(dem.history());
-    writePairs(out, state, history.pairs, dem.period().active());
-    writeWalls(out, state, history.walls);
+    const dem::bodies& all = dem.touching();
+    writePairs(out, state, all, history.pairs, dem.period().active());
+    writeWalls(out, state, all, history.walls);
 
     autoPtr<IOdictionary> dict
     (
@@ -162,7 +174,7 @@ Foam::autoPtr<Foam::IOdictionary> Foam::cloudState::write
     dict->add("time", mesh.time().value());
     dict->add("complete", complete);
     dict->add("fluid", immersed != nullptr);
-    dict->add("nBodies", state.size());
+    dict->add("nBodies", dem.nBodies());
     dict->add("nextId", state.nextId());
     dict->add("shapes", namesOf(dem.shapes()));
     dict->add("materials", dem.mats().names());

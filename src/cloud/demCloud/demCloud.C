@@ -98,6 +98,33 @@ void Foam::demCloud::checkFinite() const
 }
 
 
+void Foam::demCloud::noteExchange()
+{
+    const scalar all = dem_->exchangeTime();
+    if (all > exchangeTime_)
+    {
+        ledger_.move
+        (
+            "bodies (contacts, motion)",
+            "exchange between ranks",
+            all - exchangeTime_
+        );
+        exchangeTime_ = all;
+    }
+}
+
+
+void Foam::demCloud::writeRanks() const
+{
+    if (dem_->group().shared())
+    {
+        const labelPair most(dem_->mostOnRank());
+        Info<< "    At most " << most.first() << " bodies of its own and "
+            << most.second() << " copies of others' on a rank" << nl;
+    }
+}
+
+
 void Foam::demCloud::markInterface()
 {
     if (interface_.valid())
@@ -174,6 +201,7 @@ void Foam::demCloud::beginStep()
         const label n = dem_->state().size();
         dem_->enter(t0);
         startForces(n);
+        dem_->shareOut();
     }
 
     if (points_.valid())
@@ -196,6 +224,7 @@ void Foam::demCloud::beginStep()
         meters_->end(*dem_, t0, t1);
         checkFinite();
     }
+    noteExchange();
 
     // Bodies that stay in cells that stay are found once
     if (immersed_.valid() && (dem_->moves() || !projected_))
@@ -268,7 +297,7 @@ void Foam::demCloud::endStep()
     {
         exchange_.Re = points_->largestRe();
     }
-    ledger_.line(dem_->state(), dem_->report(), exchange_);
+    ledger_.line(*dem_, exchange_);
     exchange_ = ledger::exchange();
 }
 
@@ -284,6 +313,7 @@ void Foam::demCloud::close()
         {
             interval_->writeSummary(Info);
         }
+        writeRanks();
         writeSinks();
     }
 }

@@ -11,6 +11,7 @@ License
 #include "demCloud.H"
 #include "cloudState.H"
 #include "allowedKeys.H"
+#include "bisection.H"
 #include "checkedEntry.H"
 #include "dictionaryText.H"
 #include "dynamicRefineFvMesh.H"
@@ -95,7 +96,15 @@ Foam::vector Foam::demCloud::readGravity() const
 }
 
 
-Foam::dem::demInput Foam::demCloud::solverInput()
+bool Foam::demCloud::sharesOut(const fluidAccess access) const
+{
+    // What a fluid feels, and the refinement around the bodies, want all
+    // bodies on each rank
+    return coupling_ == "none" && access != fluidAccess::act;
+}
+
+
+Foam::dem::demInput Foam::demCloud::solverInput(const fluidAccess access)
 {
     dem::demInput input(dict_);
     input.directory =
@@ -117,6 +126,13 @@ Foam::dem::demInput Foam::demCloud::solverInput()
             return patches_.triangles(labelList(1, p), old);
         };
     input.outlets = exits_.outlets();
+    if (sharesOut(access))
+    {
+        input.owner = []()
+        {
+            return autoPtr<dem::bodyOwner>(new dem::bisection);
+        };
+    }
     input.restart = cloudState::found(mesh_);
     input.checkShape =
         [this](const dem::shape& s, const dictionary& d)
@@ -262,7 +278,7 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const fluidAccess access)
         vtp_ = output.getOrDefault<bool>("vtp", false);
     }
 
-    const dem::demInput input(solverInput());
+    const dem::demInput input(solverInput(access));
     dem_ = dem::demSolver::New(input);
     patches_.check
     (
@@ -325,8 +341,11 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const fluidAccess access)
         cloudState::markStart(mesh);
     }
 
-    Info<< "    coupling " << coupling_ << ", " << dem_->state().size()
-        << " bodies of " << dem_->state().nSpheres() << " spheres" << endl;
+    Info<< "    coupling " << coupling_ << ", " << dem_->nBodies()
+        << " bodies of " << dem_->group().sum(dem_->state().nSpheres())
+        << " spheres"
+        << (dem_->group().shared() ? ", shared out between the ranks" : "")
+        << endl;
     check(false).writeAdvice(Info);
 }
 

@@ -74,7 +74,16 @@ void Foam::demCloud::putSpheres(Writer& out) const
 
 void Foam::demCloud::writeBodies() const
 {
-    lagrangianWriter out(mesh_, bins_, "demCloud", dem_->state().x);
+    const dem::bodies& state = dem_->state();
+    lagrangianWriter out
+    (
+        mesh_,
+        bins_,
+        "demCloud",
+        state.x,
+        dem_->group(),
+        state.id
+    );
     putBodies(out);
     written_ = cloudState::write
     (
@@ -96,7 +105,9 @@ void Foam::demCloud::writeSpheres() const
         mesh_,
         bins_,
         "demCloudSpheres",
-        dem_->state().sphereX
+        dem_->state().sphereX,
+        dem_->group(),
+        labelList()
     );
     putSpheres(out);
 }
@@ -104,8 +115,9 @@ void Foam::demCloud::writeSpheres() const
 
 void Foam::demCloud::writeVtp() const
 {
-    // All ranks have all bodies
-    if (!vtp_ || !Pstream::master())
+    // All ranks have all bodies, or each writes its own
+    const bool shared = dem_->group().shared();
+    if (!vtp_ || (!shared && !Pstream::master()))
     {
         return;
     }
@@ -116,17 +128,28 @@ void Foam::demCloud::writeVtp() const
     );
     const fileName folder(directory/time.timeName());
 
+    // Parts of an earlier run on more ranks
+    if (Pstream::master())
+    {
+        vtpFile::removeParts(folder);
+    }
+    dem_->group().any(true);
+
     vtpFile bodies(dem_->state().x);
     putBodies(bodies);
-    bodies.save(folder/"demCloud.vtp");
+    bodies.save(folder/vtpFile::partName("demCloud"));
 
     vtpFile spheres(dem_->state().sphereX);
     putSpheres(spheres);
-    spheres.save(folder/"demCloudSpheres.vtp");
+    spheres.save(folder/vtpFile::partName("demCloudSpheres"));
 
+    dem_->group().any(true);
     for (const word& name : {"demCloud", "demCloudSpheres"})
     {
-        vtpFile::saveSeries(directory, name, time.value());
+        if (Pstream::master())
+        {
+            vtpFile::saveSeries(directory, name, time.value());
+        }
     }
 }
 

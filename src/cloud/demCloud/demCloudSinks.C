@@ -9,9 +9,27 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "demCloud.H"
+#include "ranksOf.H"
 #include "rankSum.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::boolList Foam::demCloud::areInside()
+{
+    if (dem_->group().shared())
+    {
+        return coupling::areInMesh(mesh_, bins_, *dem_);
+    }
+    const labelList& cells = cells_.find(dem_->state());
+    boolList inside(cells.size());
+    forAll(inside, b)
+    {
+        inside[b] = cells[b] >= 0;
+    }
+    dem::anyOverRanks(inside);
+    return inside;
+}
+
 
 Foam::labelList Foam::demCloud::takers(const boolList& inside, const scalar t)
 {
@@ -46,9 +64,10 @@ Foam::labelList Foam::demCloud::takers(const boolList& inside, const scalar t)
             x.append(state.x[b]);
         }
     }
-    if (out.size())
+    const dem::rankGroup& group = dem_->group();
+    if (group.any(out.size()))
     {
-        const wordList patch(exits_.nearest(x));
+        const wordList patch(nearestPatches(x));
         forAll(out, k)
         {
             forAll(sinks, i)
@@ -64,44 +83,70 @@ Foam::labelList Foam::demCloud::takers(const boolList& inside, const scalar t)
 }
 
 
+Foam::wordList Foam::demCloud::nearestPatches(const UList<point>& x)
+{
+    if (!dem_->group().shared())
+    {
+        return exits_.nearest(x);
+    }
+
+    // Those few bodies that are on their way out
+    List<List<point>> all(Pstream::nProcs());
+    all[Pstream::myProcNo()] = x;
+    Pstream::gatherList(all);
+    Pstream::scatterList(all);
+    DynamicList<point> joined;
+    label first = 0;
+    forAll(all, rank)
+    {
+        first = rank == Pstream::myProcNo() ? joined.size() : first;
+        joined.append(all[rank]);
+    }
+    return wordList(SubList<word>(exits_.nearest(joined), x.size(), first));
+}
+
+
 void Foam::demCloud::removeLeaving(const scalar t)
 {
     const dem::bodies& state = dem_->state();
     PtrList<dem::sink>& sinks = dem_->sinks();
 
-    const labelList& cells = cells_.find(state);
-    boolList inside(state.size());
-    forAll(inside, b)
-    {
-        inside[b] = cells[b] >= 0;
-    }
-    dem::anyOverRanks(inside);
-
+    const boolList inside(areInside());
     const labelList taker(takers(inside, t));
     boolList leaving(state.size());
     labelList nTaken(sinks.size(), Zero);
+    scalarList massTaken(sinks.size(), Zero);
     label n = 0;
+    OStringStream left;
     forAll(leaving, b)
     {
         leaving[b] = !inside[b] || taker[b] >= 0;
         n += leaving[b];
         if (taker[b] >= 0)
         {
-            sinks[taker[b]].count(state.mass[b]);
+            massTaken[taker[b]] += state.mass[b];
             ++nTaken[taker[b]];
         }
         else if (leaving[b])
         {
-            Info<< "    body " << state.id[b] << " ("
+            left<< "    body " << state.id[b] << " ("
                 << state.shapeOf(b).name() << ") left the domain at "
-                << state.x[b] << endl;
+                << state.x[b] << nl;
         }
+    }
+    const dem::rankGroup& group = dem_->group();
+    n = group.sum(n);
+    if (n)
+    {
+        Info<< group.joined(left.str()).c_str() << flush;
     }
     forAll(sinks, i)
     {
-        if (nTaken[i])
+        const label number = n ? group.sum(nTaken[i]) : 0;
+        if (number)
         {
-            Info<< "    sink " << sinks[i].name() << " took " << nTaken[i]
+            sinks[i].count(number, group.sum(massTaken[i]));
+            Info<< "    sink " << sinks[i].name() << " took " << number
                 << " bodies, " << sinks[i].number() << " of "
                 << sinks[i].mass() << " kg in all" << endl;
         }

@@ -13,6 +13,7 @@ License
 #include "OSspecific.H"
 #include "polyMeshTetDecomposition.H"
 #include "tetIndices.H"
+#include "ranksOf.H"
 #include "rankSum.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -55,7 +56,8 @@ void Foam::lagrangianWriter::locate
     Pstream::listCombineGather(rank, minEqOp<label>());
     Pstream::listCombineScatter(rank);
 
-    DynamicList<label> own, ownCell;
+    DynamicList<label> ownCell;
+    DynamicList<label>& own = toRanks_[Pstream::myProcNo()];
     forAll(points, i)
     {
         if (rank[i] == Pstream::myProcNo())
@@ -64,8 +66,32 @@ void Foam::lagrangianWriter::locate
             ownCell.append(cell[i]);
         }
     }
-    own_ = own;
+    points_ = mine(points);
     cell_ = ownCell;
+}
+
+
+void Foam::lagrangianWriter::locateShared
+(
+    const coupling::cellBins& bins,
+    const UList<point>& points
+)
+{
+    const labelList rank(coupling::nearestRanksOf(mesh_, bins, points));
+    forAll(rank, i)
+    {
+        toRanks_[rank[i]].append(i);
+    }
+    points_ = mine(points);
+    cell_.setSize(points_.size());
+    forAll(points_, k)
+    {
+        cell_[k] = bins.find(points_[k]);
+        if (cell_[k] < 0)
+        {
+            cell_[k] = bins.nearest(points_[k], mesh_.bounds().mag());
+        }
+    }
 }
 
 
@@ -106,7 +132,7 @@ void Foam::lagrangianWriter::writeCoordinates
 }
 
 
-void Foam::lagrangianWriter::writePoints(const UList<point>& points) const
+void Foam::lagrangianWriter::writePoints() const
 {
     for (const word& file : wordList({"positions", "coordinates"}))
     {
@@ -117,10 +143,10 @@ void Foam::lagrangianWriter::writePoints(const UList<point>& points) const
         os.precision(17);
         header.writeHeader(os, "Cloud<passiveParticle>");
 
-        os  << nl << own_.size() << nl << token::BEGIN_LIST << nl;
-        forAll(own_, k)
+        os  << nl << points_.size() << nl << token::BEGIN_LIST << nl;
+        forAll(points_, k)
         {
-            const point& p = points[own_[k]];
+            const point& p = points_[k];
             if (file == "positions")
             {
                 os  << p << token::SPACE << cell_[k] << nl;
@@ -142,17 +168,29 @@ Foam::lagrangianWriter::lagrangianWriter
     const polyMesh& mesh,
     const coupling::cellBins& bins,
     const word& name,
-    const UList<point>& points
+    const UList<point>& points,
+    const dem::rankGroup& group,
+    const UList<label>& id
 )
 :
     mesh_(mesh),
-    name_(name)
+    name_(name),
+    group_(group),
+    id_(id),
+    toRanks_(Pstream::nProcs())
 {
     // Made by all ranks together, or not at all
     mesh.tetBasePtIs();
 
-    locate(bins, points);
-    writePoints(points);
+    if (group.shared())
+    {
+        locateShared(bins, points);
+    }
+    else
+    {
+        locate(bins, points);
+    }
+    writePoints();
 }
 
 

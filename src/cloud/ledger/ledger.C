@@ -77,11 +77,11 @@ Foam::ledger::ledger()
 
 void Foam::ledger::line
 (
-    const dem::bodies& state,
-    const dem::advanceReport& report,
+    const dem::demSolver& dem,
     const exchange& coupled
 )
 {
+    const dem::advanceReport& report = dem.report();
     const scalar ownNow = own();
     const scalar wholeNow = whole();
     const scalar share =
@@ -102,12 +102,13 @@ void Foam::ledger::line
     dtMax_ = max(dtMax_, report.dtMax);
 
     scalar fastest = 0;
-    for (const vector& v : state.v)
+    for (const vector& v : dem.state().v)
     {
         fastest = max(fastest, mag(v));
     }
+    fastest = dem.group().max(fastest);
 
-    Info<< "demCloud: " << state.size() << " bodies, fastest " << fastest
+    Info<< "demCloud: " << dem.nBodies() << " bodies, fastest " << fastest
         << " m/s, " << report.nSteps
         << " steps (" << listed(report.limits).c_str() << "), "
         << report.nRejected << " undone, " << report.nContacts

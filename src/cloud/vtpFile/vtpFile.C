@@ -12,6 +12,7 @@ License
 #include "error.H"
 #include "instantList.H"
 #include "OSspecific.H"
+#include "Pstream.H"
 #include "ListOps.H"
 
 #include <cstdint>
@@ -198,6 +199,27 @@ void Foam::vtpFile::save(const fileName& file) const
 }
 
 
+Foam::fileName Foam::vtpFile::partName(const word& name)
+{
+    return
+        Pstream::master()
+      ? fileName(name + ".vtp")
+      : fileName(name + '_' + Foam::name(Pstream::myProcNo()) + ".vtp");
+}
+
+
+void Foam::vtpFile::removeParts(const fileName& folder)
+{
+    for (const fileName& file : readDir(folder, fileName::FILE))
+    {
+        if (file.ext() == "vtp" && file.find('_') != std::string::npos)
+        {
+            rm(folder/file);
+        }
+    }
+}
+
+
 void Foam::vtpFile::saveSeries
 (
     const fileName& directory,
@@ -227,9 +249,14 @@ void Foam::vtpFile::saveSeries
     );
     for (const instant& t : times)
     {
-        xml +=
-            "<DataSet timestep=\"" + t.name() + "\" file=\"" + t.name() + "/"
-          + name + ".vtp\"/>\n";
+        fileName file(name + ".vtp");
+        for (label part = 0; isFile(directory/t.name()/file, false); ++part)
+        {
+            xml += "<DataSet timestep=\"" + t.name() + '"';
+            xml += part ? " part=\"" + std::to_string(part) + '"' : "";
+            xml += " file=\"" + t.name() + '/' + file + "\"/>\n";
+            file = name + '_' + Foam::name(part + 1) + ".vtp";
+        }
     }
     saveText
     (

@@ -11,6 +11,8 @@ License
 #include "bodies.H"
 #include "rotation.H"
 
+#include <algorithm>
+
 // * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
 
 namespace
@@ -79,6 +81,74 @@ Foam::label Foam::dem::bodies::append(const newBody& n)
     updateSpheres(b);
 
     return b;
+}
+
+
+void Foam::dem::bodies::append(const bodyRecord& r)
+{
+    const label b = size();
+    id.append(r.id);
+    shapeI.append(r.shapeI);
+    materialI.append(r.materialI);
+    mass.append(r.mass);
+    inertia.append(r.inertia);
+    x.append(r.x);
+    v.append(r.v);
+    q.append(r.q);
+    L.append(r.L);
+    omega.append(r.omega);
+    force.append(r.force);
+    torque.append(r.torque);
+    fluidForce.append(r.fluidForce);
+    fluidTorque.append(r.fluidTorque);
+
+    for (const scalar radius : shapes_[r.shapeI].radii())
+    {
+        sphereBody.append(b);
+        sphereX.append(Zero);
+        sphereR.append(radius);
+    }
+    firstSphere.append(sphereX.size());
+    updateSpheres(b);
+}
+
+
+Foam::dem::bodyRecord Foam::dem::bodies::record(const label b) const
+{
+    return bodyRecord
+    {
+        id[b], shapeI[b], materialI[b], mass[b], inertia[b], x[b], v[b], q[b],
+        L[b], omega[b], force[b], torque[b], fluidForce[b], fluidTorque[b]
+    };
+}
+
+
+void Foam::dem::bodies::setState(const label b, const bodyRecord& r)
+{
+    x[b] = r.x;
+    v[b] = r.v;
+    q[b] = r.q;
+    L[b] = r.L;
+    omega[b] = r.omega;
+    force[b] = r.force;
+    torque[b] = r.torque;
+    fluidForce[b] = r.fluidForce;
+    fluidTorque[b] = r.fluidTorque;
+    updateSpheres(b);
+}
+
+
+Foam::label Foam::dem::bodies::find(const label bodyId) const
+{
+    const auto at = std::lower_bound(id.begin(), id.end(), bodyId);
+    return at != id.end() && *at == bodyId ? label(at - id.begin()) : -1;
+}
+
+
+void Foam::dem::bodies::clear()
+{
+    remove(boolList(size(), true));
+    isCopy.clear();
 }
 
 

@@ -35,6 +35,7 @@ void Foam::dem::packedBodies::packClump(const bodies& state, const label b)
     c.body = b;
     c.first = state.firstSphere[b];
     c.last = state.firstSphere[b + 1];
+    c.copied = !state.owns(b);
     c.form = &state.shapeOf(b);
     c.mass = state.mass[b];
     c.inertia = state.inertia[b];
@@ -43,6 +44,7 @@ void Foam::dem::packedBodies::packClump(const bodies& state, const label b)
     c.q = state.q[b];
     c.L = state.L[b];
     c.omega = state.omega[b];
+    c.q0 = c.q;
 
     for (label s = c.first; s < c.last; ++s)
     {
@@ -132,12 +134,18 @@ void Foam::dem::packedBodies::pack(const bodies& state, const vector& g)
     now_.w.assign(n, quad{0, 0, 0, 0.1});
     now_.ft.resize(n);
 
+    // A leap fills what it finds here, but for copies
+    if (state.isCopy.size())
+    {
+        old_ = records();
+    }
+
     clumps_.clear();
     single_.clear();
     singleBody_.clear();
     place_.resize(nBodies_);
 
-    allSingle_ = nSpheres_ == nBodies_;
+    allSingle_ = nSpheres_ == nBodies_ && state.isCopy.empty();
     bool oneMaterial = true;
     for (label b = 0; b < nBodies_; ++b)
     {
@@ -148,7 +156,7 @@ void Foam::dem::packedBodies::pack(const bodies& state, const vector& g)
             continue;
         }
         packSingle(state, b);
-        if (!allSingle_)
+        if (!allSingle_ && state.owns(b))
         {
             single_.push_back(state.firstSphere[b]);
             singleBody_.push_back(b);
@@ -166,6 +174,7 @@ void Foam::dem::packedBodies::pack(const bodies& state, const vector& g)
     }
 
     minRadius_ = nSpheres_ ? min(state.sphereR) : 0;
+    meanRadius_ = nSpheres_ ? sum(state.sphereR)/nSpheres_ : 0;
     hold(state);
     clearForces();
 }
@@ -214,6 +223,10 @@ void Foam::dem::packedBodies::unpack(bodies& state) const
     for (label k = 0; k < label(clumps_.size()); ++k)
     {
         const clump& c = clumps_[k];
+        if (c.copied)
+        {
+            continue;
+        }
         vector F, T;
         collect(now_, k, c, F, T);
 
@@ -311,7 +324,7 @@ Foam::vector Foam::dem::packedBodies::acceleration(const label b) const
 
 Foam::scalar Foam::dem::packedBodies::paths(std::vector<path>& all) const
 {
-    all.resize(nSpheres_);
+    all.assign(nSpheres_, path{Zero, Zero, 0});
     scalar longest = GREAT;
 
     const auto centre = [&](const label b, const vector& old, const vector& a)
@@ -346,6 +359,10 @@ Foam::scalar Foam::dem::packedBodies::paths(std::vector<path>& all) const
     for (label k = 0; k < label(clumps_.size()); ++k)
     {
         const clump& c = clumps_[k];
+        if (c.copied)
+        {
+            continue;
+        }
         vector F, T;
         collect(now_, k, c, F, T);
         const path p = centre(c.body, c.v, g_ + F/c.mass);

@@ -107,9 +107,13 @@ void Foam::dem::packedBodies::leapSingles
     std::copy(g.cdata(), g.cdata() + 3, data.g);
     data.held = held_.empty() ? nullptr : held_.data();
 
-    leapBounds bounds;
-    sweeps_->leap(data, bounds);
+    sweeps_->leap(data, singleBounds_);
+}
 
+
+void Foam::dem::packedBodies::boundSingles()
+{
+    const leapBounds& bounds = singleBounds_;
     const auto length = [](const double* squares)
     {
         return sqrt(squares[0] + squares[1] + squares[2]);
@@ -132,6 +136,12 @@ void Foam::dem::packedBodies::leapClumps
     for (label k = 0; k < n; ++k)
     {
         clump c = clumps[k];
+        if (c.copied)
+        {
+            // A message says where it is
+            clumps_[k] = c;
+            continue;
+        }
         vector F, T;
         collect(from, k, c, F, T);
 
@@ -140,6 +150,7 @@ void Foam::dem::packedBodies::leapClumps
         c.L += (pending_ + 0.5*dt)*T;
         c.x += dt*c.v;
 
+        c.q0 = c.q;
         const tensor R0 = c.q.R();
         const vector before = angularVelocity(c.q, c.L, c.inertia);
         turn(c.q, c.L, c.inertia, dt);
@@ -194,6 +205,8 @@ void Foam::dem::packedBodies::leap(const scalar dt, const bool trial)
         leapSingles(now_, dt);
         leapClumps(now_, clumps_, dt);
     }
+    clumpMotion_ = motion_;
+    boundSingles();
     pending_ = 0.5*dt;
 }
 

@@ -80,7 +80,11 @@ void Foam::dem::demSolver::checkShape
 }
 
 
-Foam::List<Foam::labelVector> Foam::dem::demSolver::takeIn(const scalar slack)
+Foam::List<Foam::labelVector> Foam::dem::demSolver::takeIn
+(
+    bodies& state,
+    const scalar slack
+) const
 {
     const periodicity& period = input_.period;
     List<labelVector> turns;
@@ -90,26 +94,39 @@ Foam::List<Foam::labelVector> Foam::dem::demSolver::takeIn(const scalar slack)
     }
 
     bool any = false;
-    forAll(state_.x, b)
+    forAll(state.x, b)
     {
-        any = any || period.turns(state_.x[b], slack) != labelVector::zero;
+        any = any || period.turns(state.x[b], slack) != labelVector::zero;
     }
-    if (!any)
+    if (!group_.any(any))
     {
         return turns;
     }
 
-    turns.setSize(state_.size(), labelVector::zero);
-    forAll(state_.x, b)
+    turns.setSize(state.size(), labelVector::zero);
+    forAll(state.x, b)
     {
-        turns[b] = period.turns(state_.x[b], 0);
+        turns[b] = period.turns(state.x[b], 0);
         if (turns[b] != labelVector::zero)
         {
-            state_.x[b] += period.shift(turns[b]);
-            state_.updateSpheres(b);
+            state.x[b] += period.shift(turns[b]);
+            state.updateSpheres(b);
         }
     }
     return turns;
+}
+
+
+Foam::label Foam::dem::demSolver::share(const newBody& n)
+{
+    // By turns, until they go to their owners
+    const label id = state_.nextId();
+    if (group_.shared() && id % Pstream::nProcs() != Pstream::myProcNo())
+    {
+        state_.setNextId(id + 1);
+        return -1;
+    }
+    return state_.append(n);
 }
 
 
@@ -168,9 +185,9 @@ void Foam::dem::demSolver::readBodies()
             }
             n.orientation = quaternion(turn.first(), degToRad(turn.second()));
         }
-        state_.append(n);
+        share(n);
     }
-    takeIn(0);
+    takeIn(state_, 0);
 }
 
 
@@ -179,13 +196,15 @@ void Foam::dem::demSolver::readBodies()
 Foam::dem::demSolver::demSolver
 (
     const demInput& input,
-    const contactLaws* laws
+    const contactLaws* laws,
+    const bool shared
 )
 :
     input_(input),
     shapes_(readShapes(input)),
     materials_(input.dict, laws),
-    state_(shapes_)
+    state_(shapes_),
+    group_(shared)
 {
     readBodies();
 }

@@ -37,17 +37,24 @@ void Foam::dem::hadesSolver::crossSeams(const scalar slack)
     for (label b = 0; b < packed_.size() && !out; ++b)
     {
         out =
-            input_.period.turns(packed_.position(b), slack)
+            packed_.owns(b)
+         && input_.period.turns(packed_.position(b), slack)
          != labelVector::zero;
     }
-    if (!out)
+    if (!group_.any(out))
     {
         return;
     }
 
-    packed_.unpackPositions(state_);
-    list_.turn(state_, takeIn(slack));
-    packed_.setPositions(state_);
+    packed_.unpackPositions(moving());
+    list_.turn(moving(), takeIn(moving(), slack));
+    packed_.setPositions(moving());
+}
+
+
+bool Foam::dem::hadesSolver::outdated()
+{
+    return list_.outdated(packed_) || walls_.outdated(0.5*list_.skin());
 }
 
 
@@ -63,8 +70,13 @@ void Foam::dem::hadesSolver::begin(const scalar t, const scalar t1)
             " speed bodies up: take stormerVerlet"
         );
     }
-    packed_.pack(state_, g());
-    control_->begin(state_, {materials_, walls_, input_.period}, t1 - t);
+    pack();
+    control_->begin
+    (
+        state_,
+        {materials_, walls_, input_.period, group_},
+        t1 - t
+    );
     lastDt_ = 0;
     computeForces(t, 0, false);
     list_.accept();
@@ -80,8 +92,12 @@ void Foam::dem::hadesSolver::computeForces
 )
 {
     walls_.moveTo(t);
-    if (list_.outdated(packed_) || walls_.outdated(0.5*list_.skin()))
+    if (exchange_.valid() ? due_ : outdated())
     {
+        if (exchange_.valid() && !exchange_->takeFresh())
+        {
+            exchange_->reachOut(packed_, list_, walls_);
+        }
         list_.build(packed_);
         walls_.build(packed_, list_.skin());
     }
@@ -95,6 +111,7 @@ void Foam::dem::hadesSolver::computeForces
         integrator_->leaps() ? 0.5*(lastDt_ + dt) : 0,
         onTrial
     );
+    shareSummary();
 }
 
 
@@ -113,11 +130,18 @@ bool Foam::dem::hadesSolver::tryStep(const scalar t, const scalar dt)
         onTrial,
         [&](const scalar time, const scalar dtForce)
         {
+            if (exchange_.valid())
+            {
+                due_ = meetOthers(time, dt);
+            }
             ok = ok && control_->acceptMove(packed_, dt);
             if (ok)
             {
-                const packedBodies::motion& m = packed_.bounds();
-                list_.moved((m.speed + m.turning)*dt);
+                if (!exchange_.valid())
+                {
+                    const packedBodies::motion& m = packed_.bounds();
+                    list_.moved((m.speed + m.turning)*dt);
+                }
                 computeForces(time, dtForce, onTrial || inStages);
                 checkClosing(time);
                 ok = control_->acceptContacts(summary_, dt);
@@ -206,7 +230,12 @@ Foam::dem::contactLaws readLaws(const Foam::dictionary& dict)
 
 Foam::dem::hadesSolver::hadesSolver(const demInput& input)
 :
-    demSolver(input, &static_cast<const contactLaws&>(readLaws(input.dict))),
+    demSolver
+    (
+        input,
+        &static_cast<const contactLaws&>(readLaws(input.dict)),
+        canShare(input)
+    ),
     contacts_(readLaws(input.dict), materials_),
     list_
     (
@@ -218,6 +247,13 @@ Foam::dem::hadesSolver::hadesSolver(const demInput& input)
     integrator_(integrator::New(input.dict)),
     control_(stepControl::New(input.dict.subDict("stepControl")))
 {
+    if (group_.shared())
+    {
+        exchange_.reset
+        (
+            new bodyExchange(shapes_, input.owner(), input.period)
+        );
+    }
     packed_.setInstructions(contacts_.instructions());
     list_.setLanes(contacts_.nLanes());
     list_.setPeriodicity(input_.period);
@@ -242,7 +278,7 @@ void Foam::dem::hadesSolver::advance(const scalar t0, const scalar t1)
     report_ = advanceReport();
     report_.nEntered = nEntered;
 
-    if (!state_.size())
+    if (!nBodies())
     {
         return;
     }
@@ -282,14 +318,22 @@ void Foam::dem::hadesSolver::advance(const scalar t0, const scalar t1)
     }
 
     crossSeams(0);
-    packed_.unpack(state_);
+    unpack();
     checkFinite(t1);
-    report_.nContacts = summary_.nPairs + summary_.nWalls;
+    report_.overlap = group_.max(report_.overlap);
+    report_.nContacts = nContacts();
 }
 
 
 void Foam::dem::hadesSolver::remove(const boolList& marked)
 {
+    if (exchange_.valid())
+    {
+        state_.remove(marked);
+        exchange_->setChanged();
+        return;
+    }
+
     labelList newIndex(state_.nSpheres(), -1);
     label n = 0;
     forAll(newIndex, s)

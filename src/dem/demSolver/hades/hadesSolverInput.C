@@ -97,21 +97,27 @@ void Foam::dem::hadesSolver::checkIntegrator(const contactLaws& laws) const
 
 void Foam::dem::hadesSolver::checkOverlaps()
 {
-    if (!state_.size())
+    if (!nBodies())
     {
         return;
     }
 
-    packed_.pack(state_, g());
+    shareOut();
+    pack();
     computeForces(input_.start, 0, true);
-    report_.overlap = summary_.overlap;
+    report_.overlap = group_.max(summary_.overlap);
 
-    if (summary_.overlap > 1e-3)
+    if (report_.overlap > 1e-3)
     {
+        const string who = group_.first
+        (
+            summary_.overlapA < 0 || summary_.overlap < report_.overlap
+          ? string()
+          : nameOf(summary_.overlapA) + " and " + nameOf(summary_.overlapB)
+        );
         FatalIOErrorInFunction(input_.dict.subDict("bodies"))
-            << nameOf(summary_.overlapA).c_str() << " and "
-            << nameOf(summary_.overlapB).c_str() << " overlap at the start, by "
-            << 100*summary_.overlap << " % of the smaller radius." << nl
+            << who.c_str() << " overlap at the start, by "
+            << 100*report_.overlap << " % of the smaller radius." << nl
             << "    Bodies may start with 0.1 % at most: move them apart."
             << exit(FatalIOError);
     }
@@ -134,9 +140,10 @@ void Foam::dem::hadesSolver::enter(const scalar t)
             {
                 grid.reset(new roomGrid(state_, walls_, input_.period));
             }
-            return grid->hasRoom(body);
+            return !group_.any(!grid->hasRoom(body));
         };
 
+    const label nextId = state_.nextId();
     for (generator& g : generators_)
     {
         const label nBefore = g.nEntered();
@@ -148,10 +155,10 @@ void Foam::dem::hadesSolver::enter(const scalar t)
             const bool made = g.make(g.nEntered(), room, body);
             if (made)
             {
-                const label b = state_.append(body);
-                volume += state_.shapeOf(b).volume();
+                const label b = share(body);
+                volume += shapes_[body.shapeI].volume();
                 ++report_.nEntered;
-                if (grid.valid())
+                if (grid.valid() && b >= 0)
                 {
                     grid->add(b);
                 }
@@ -168,6 +175,10 @@ void Foam::dem::hadesSolver::enter(const scalar t)
         {
             g.report(Info, volume);
         }
+    }
+    if (exchange_.valid() && state_.nextId() > nextId)
+    {
+        exchange_->setChanged();
     }
 }
 
@@ -193,7 +204,10 @@ bool Foam::dem::hadesSolver::hasRoomFor(const label i) const
      || g.make
         (
             g.nEntered(),
-            [&](const newBody& n) { return grid.hasRoom(n); },
+            [&](const newBody& n)
+            {
+                return !group_.any(!grid.hasRoom(n));
+            },
             body
         );
 }

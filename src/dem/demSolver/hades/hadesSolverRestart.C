@@ -36,6 +36,16 @@ void Foam::dem::hadesSolver::setHistory(const contactHistory& history)
 }
 
 
+void Foam::dem::hadesSolver::setHistory
+(
+    const UList<namedPair>& pairs,
+    const UList<namedTouch>& touches
+)
+{
+    exchange_->setSaved(pairs, touches);
+}
+
+
 void Foam::dem::hadesSolver::writeCounters(dictionary& dict) const
 {
     dictionary entered, leftOut;

@@ -19,8 +19,8 @@ Foam::string Foam::dem::hadesSolver::nameOf(const label i) const
         return "wall " + walls_.walls()[-1 - i].name();
     }
     return
-        "body " + std::to_string(state_.id[i])
-      + " (" + state_.shapeOf(i).name() + ')';
+        "body " + std::to_string(moving().id[i])
+      + " (" + moving().shapeOf(i).name() + ')';
 }
 
 
@@ -34,12 +34,13 @@ Foam::string Foam::dem::hadesSolver::shown(const vector& v)
 
 Foam::string Foam::dem::hadesSolver::neighboursOf(const label b) const
 {
+    const bodies& state = moving();
     labelHashSet others;
     for (label k = 0; k < list_.size(); ++k)
     {
         const verletList::spherePair p = list_.pair(k);
-        const label i = state_.sphereBody[p.i];
-        const label j = state_.sphereBody[p.j];
+        const label i = state.sphereBody[p.i];
+        const label j = state.sphereBody[p.j];
         if (i == b || j == b)
         {
             others.insert(i == b ? j : i);
@@ -47,7 +48,7 @@ Foam::string Foam::dem::hadesSolver::neighboursOf(const label b) const
     }
     forAll(walls_.walls(), w)
     {
-        if (walls_.isNear(w, state_.firstSphere[b], state_.firstSphere[b + 1]))
+        if (walls_.isNear(w, state.firstSphere[b], state.firstSphere[b + 1]))
         {
             others.insert(-1 - w);
         }
@@ -77,32 +78,53 @@ void Foam::dem::hadesSolver::stop(const scalar t, const string& why)
 }
 
 
+Foam::string Foam::dem::hadesSolver::placeOf(const label b) const
+{
+    OStringStream os;
+    if (b >= 0)
+    {
+        os  << nameOf(b).c_str() << " at " << moving().x[b]
+            << " with velocity " << moving().v[b] << " m/s." << nl;
+    }
+    return os.str();
+}
+
+
 void Foam::dem::hadesSolver::giveUp(const scalar t, const stepChoice& step)
 {
-    packed_.unpack(state_);
+    unpack();
 
     OStringStream why;
     why << "    They need a step of " << step.dt << " s, but "
         << control_->minimum().c_str() << ' ' << control_->minDeltaT()
         << " s." << nl;
 
-    if (step.body >= 0)
+    // What the rank that has the body knows
+    const string body = group_.first
+    (
+        step.body < 0
+      ? string()
+      : placeOf(step.body) + "    Its neighbours: "
+      + neighboursOf(step.body) + ".\n"
+    );
+    if (body.size())
     {
-        why << "    The reason (" << step.limit << ") is "
-            << nameOf(step.body).c_str() << " at " << state_.x[step.body]
-            << " with velocity " << state_.v[step.body] << " m/s." << nl
-            << "    Its neighbours: " << neighboursOf(step.body).c_str()
-            << '.' << nl;
+        why << "    The reason (" << step.limit << ") is " << body.c_str();
     }
 
     const contactSummary& s =
-        rejected_.overlapA >= 0 ? rejected_ : summary_;
-    if (s.overlapA >= 0)
+        group_.any(rejected_.overlapA >= 0) ? rejected_ : summary_;
+    const string pair = group_.first
+    (
+        s.overlapA < 0
+      ? string()
+      : nameOf(s.overlapA) + " and " + nameOf(s.overlapB)
+    );
+    if (pair.size())
     {
         why << "    Largest overlap: " << 100*s.overlap
-            << " % of the smaller radius, between "
-            << nameOf(s.overlapA).c_str() << " and "
-            << nameOf(s.overlapB).c_str() << '.' << nl;
+            << " % of the smaller radius, between " << pair.c_str() << '.'
+            << nl;
     }
 
     stop(t, why.str());
@@ -117,17 +139,16 @@ void Foam::dem::hadesSolver::giveUp
     const stepChoice& step
 )
 {
-    packed_.unpack(state_);
+    unpack();
 
     OStringStream why;
     why << "    An advance by " << length << " s has taken the maxSteps of "
         << control_->maxSteps() << "; they are at " << dt << " s now ("
         << step.limit << ")." << nl;
-    if (step.body >= 0)
+    const string body = group_.first(placeOf(step.body));
+    if (body.size())
     {
-        why << "    The reason is " << nameOf(step.body).c_str() << " at "
-            << state_.x[step.body] << " with velocity "
-            << state_.v[step.body] << " m/s." << nl;
+        why << "    The reason is " << body.c_str();
     }
     stop(t, why.str());
 }
@@ -135,6 +156,7 @@ void Foam::dem::hadesSolver::giveUp
 
 void Foam::dem::hadesSolver::checkFinite(const scalar t)
 {
+    string why;
     forAll(state_.x, b)
     {
         const vector sum =
@@ -142,17 +164,19 @@ void Foam::dem::hadesSolver::checkFinite(const scalar t)
           + state_.fluidForce[b] + state_.fluidTorque[b];
 
         // A NaN is not below anything
-        if (!(magSqr(sum) < VGREAT))
+        if (why.empty() && !(magSqr(sum) < VGREAT))
         {
-            stop
-            (
-                t,
-                "    " + nameOf(b) + " at " + shown(state_.x[b])
+            why =
+                "    body " + std::to_string(state_.id[b]) + " ("
+              + state_.shapeOf(b).name() + ") at " + shown(state_.x[b])
               + " has velocity "
               + shown(state_.v[b]) + " m/s and a force of the fluid of "
-              + shown(state_.fluidForce[b]) + " N.\n"
-            );
+              + shown(state_.fluidForce[b]) + " N.\n";
         }
+    }
+    if (group_.any(why.size()))
+    {
+        stop(t, group_.first(why));
     }
 }
 

@@ -152,24 +152,34 @@ Foam::List<Foam::dem::corners> Foam::dem::hadesSolver::triangles
 
 void Foam::dem::hadesSolver::checkClosing(const scalar t)
 {
-    // As much as bodies may overlap at the start
-    if (const wallTouch* touch = walls_.inTheWay(state_.sphereR, 1e-3))
+    if (!walls_.anyAppeared())
     {
-        const label b = state_.sphereBody[touch->sphere];
-        if (control_->undoes())
-        {
-            packed_.undo();
-        }
-        packed_.unpack(state_);
-        stop
-        (
-            t,
-            "    " + nameOf(-1 - touch->wallI) + " appears where "
-          + nameOf(b) + " is, at " + shown(state_.x[b]) + ".\n"
-            "    Let it close when nothing is in its way, or let it move there"
-            " with a motion.\n"
-        );
+        return;
     }
+
+    // As much as bodies may overlap at the start
+    const bodies& state = moving();
+    const wallTouch* touch = walls_.inTheWay(state.sphereR, 1e-3);
+    if (!group_.any(touch))
+    {
+        return;
+    }
+    if (control_->undoes())
+    {
+        packed_.undo();
+    }
+    unpack();
+    string why;
+    if (touch)
+    {
+        const label b = state.sphereBody[touch->sphere];
+        why =
+            "    " + nameOf(-1 - touch->wallI) + " appears where "
+          + nameOf(b) + " is, at " + shown(state.x[b]) + ".\n"
+            "    Let it close when nothing is in its way, or let it move there"
+            " with a motion.\n";
+    }
+    stop(t, group_.first(why));
 }
 
 

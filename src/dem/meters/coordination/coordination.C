@@ -56,49 +56,58 @@ Foam::dem::coordination::coordination
 
 void Foam::dem::coordination::end(const demSolver& dem, const scalar)
 {
-    const bodies& state = dem.state();
+    const bodies& all = dem.touching();
     const contactHistory history(dem.history());
 
-    // Pairs of bodies, each once
+    // Pairs of bodies, each once; of one with a copy two ranks know
     std::vector<std::pair<label, label>> pairs;
     for (const auto& h : history.pairs)
     {
-        const label a = state.sphereBody[h.pair.i];
-        const label b = state.sphereBody[h.pair.j];
+        const label a = all.sphereBody[h.pair.i];
+        const label b = all.sphereBody[h.pair.j];
         pairs.emplace_back(min(a, b), max(a, b));
     }
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
 
-    labelList nOthers(state.size(), Zero);
+    labelList nOthers(all.size(), Zero);
     for (const auto& p : pairs)
     {
         ++nOthers[p.first];
         ++nOthers[p.second];
     }
-    boolList atWall(state.size(), false);
+    boolList atWall(all.size(), false);
     for (const wallTouch& t : history.walls)
     {
-        atWall[state.sphereBody[t.sphere]] = true;
+        atWall[all.sphereBody[t.sphere]] = true;
     }
 
-    boolList rattles(state.size());
-    nRattlers_ = 0;
-    nWalls_ = 0;
+    labelList rattles(all.size());
+    label nRattlers = 0, nWalls = 0, nBodies = 0;
     forAll(rattles, b)
     {
         rattles[b] = nOthers[b] < 2 && !atWall[b];
-        nRattlers_ += rattles[b];
-        nWalls_ += atWall[b];
+        nRattlers += all.owns(b) && rattles[b];
+        nWalls += all.owns(b) && atWall[b];
+        nBodies += all.owns(b);
     }
+    dem.copy(rattles);
 
-    label nBackbone = 0;
+    // The owner of the first body counts
+    label nPairs = 0, nBackbone = 0;
     for (const auto& p : pairs)
     {
-        nBackbone += !rattles[p.first] && !rattles[p.second];
+        nPairs += all.owns(p.first);
+        nBackbone +=
+            all.owns(p.first) && !rattles[p.first] && !rattles[p.second];
     }
-    nBodies_ = state.size();
-    nPairs_ = pairs.size();
+
+    const rankGroup& group = dem.group();
+    nBodies_ = group.sum(nBodies);
+    nRattlers_ = group.sum(nRattlers);
+    nWalls_ = group.sum(nWalls);
+    nPairs_ = group.sum(nPairs);
+    nBackbone = group.sum(nBackbone);
     zBackbone_ =
         nBodies_ > nRattlers_ ? 2.0*nBackbone/(nBodies_ - nRattlers_) : 0;
 }

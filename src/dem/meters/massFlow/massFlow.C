@@ -109,14 +109,18 @@ void Foam::dem::massFlow::begin(const demSolver& dem)
 void Foam::dem::massFlow::end(const demSolver& dem, const scalar dt)
 {
     const bodies& state = dem.state();
-    const scalar massBefore = mass_;
+    label number = 0;
+    scalar mass = 0;
     forAll(before_, b)
     {
         const label n = crossings(before_[b], distance(state.x[b]));
-        number_ += n;
-        mass_ += n*state.mass[b];
+        number += n;
+        mass += n*state.mass[b];
     }
-    rate_ = (mass_ - massBefore)/dt;
+    mass = dem.group().sum(mass);
+    number_ += dem.group().sum(number);
+    mass_ += mass;
+    rate_ = mass/dt;
 }
 
 

@@ -51,7 +51,7 @@ void Foam::dem::verletList::search(const packedBodies& state)
     (
         [&](const label i, const label j)
         {
-            if (state.bodyOf(i) != state.bodyOf(j))
+            if (state.mayTouch(state.bodyOf(i), state.bodyOf(j)))
             {
                 pairs_.push_back(spherePair(min(i, j), max(i, j)));
             }
@@ -106,7 +106,11 @@ void Foam::dem::verletList::searchImages(const packedBodies& state)
             if
             (
                 image[i] == periodicity::original
-             && state.bodyOf(source[i]) != state.bodyOf(source[j])
+             && state.mayTouch
+                (
+                    state.bodyOf(source[i]),
+                    state.bodyOf(source[j])
+                )
             )
             {
                 pairs_.push_back(spherePair(source[i], source[j], image[j]));
@@ -335,12 +339,7 @@ void Foam::dem::verletList::build(const packedBodies& state)
         kept_.clear();
     }
 
-    scalar sum = 0;
-    for (label s = 0; s < n; ++s)
-    {
-        sum += state.radius(s);
-    }
-    skin_ = n ? relativeSkin_*sum/n : 0;
+    skin_ = skinOf(state.meanRadius());
 
     far_.start(state, 0.5*skin_, 1, 0.01);
     search(state);

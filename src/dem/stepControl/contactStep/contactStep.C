@@ -66,7 +66,7 @@ void Foam::dem::contactStep::land
         min(horizon_, min(choice.dt, length_)),
         begin
     );
-    if (flight.nLooked() > 20*state.nSpheres() + 1000)
+    if (flight.nLooked() > 20*flight.nSpheres() + 1000)
     {
         horizon_ *= 0.5;
     }
@@ -110,7 +110,8 @@ void Foam::dem::contactStep::begin
             around.stuff.rayleighTimePerRadius(state.materialI[b]);
         shortest = min(shortest, perRadius*form.minRadius());
     }
-    wave_ = rayleighFraction_*shortest;
+    speed_ = around.group.max(speed_);
+    wave_ = rayleighFraction_*around.group.min(shortest);
 
     // Other forces act from now on
     clear_ = safe_ = 0;

@@ -9,6 +9,8 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "freeFlight.H"
+#include "nearRanks.H"
+#include "rankMail.H"
 #include "sizeLevels.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -41,10 +43,11 @@ inline void Foam::dem::freeFlight::meet
     const scalar d,
     const scalar c,
     const scalar b,
-    const scalar r
+    const scalar r,
+    const bool counts
 )
 {
-    ++nLooked_;
+    nLooked_ += counts;
 
     // What touches already is no new contact
     if (d < 0)
@@ -90,45 +93,158 @@ Foam::scalarList Foam::dem::freeFlight::reaches
 }
 
 
+void Foam::dem::freeFlight::findMean(vector& v, vector& a)
+{
+    const rankGroup& group = state_.group();
+    label n = state_.nSpheres();
+    if (group.shared())
+    {
+        n = 0;
+        for (label s = 0; s < state_.nSpheres(); ++s)
+        {
+            n += state_.owns(state_.bodyOf(s));
+        }
+    }
+    nSpheres_ = group.sum(n);
+
+    v = a = Zero;
+    for (label s = 0; s < state_.nSpheres(); ++s)
+    {
+        if (state_.owns(state_.bodyOf(s)))
+        {
+            v += paths_[s].v/nSpheres_;
+            a += paths_[s].a/nSpheres_;
+        }
+    }
+    v = group.sum(v);
+    a = group.sum(a);
+}
+
+
+void Foam::dem::freeFlight::fetchOthers
+(
+    const scalarList& reach,
+    const periodicity& period
+)
+{
+    DynamicList<point> x;
+    DynamicList<scalar> r;
+    DynamicList<label> mine;
+    forAll(reach, s)
+    {
+        if (state_.owns(state_.bodyOf(s)))
+        {
+            x.append(state_.centre(s));
+            r.append(reach[s]);
+            mine.append(s);
+        }
+    }
+
+    List<DynamicList<visitor>> out(Pstream::nProcs());
+    const List<DynamicList<label>> near(nearRanks(x, r, 0, period));
+    forAll(near, rank)
+    {
+        for (const label k : near[rank])
+        {
+            const label s = mine[k];
+            out[rank].append
+            (
+                visitor{x[k], state_.radius(s), r[k], paths_[s], bodyId(s)}
+            );
+        }
+    }
+    for (const auto& part : swapRecords(out))
+    {
+        for (const visitor& o : part)
+        {
+            others_.append(o);
+            paths_.push_back(o.path);
+        }
+    }
+}
+
+
+inline void Foam::dem::freeFlight::meetPair
+(
+    const label i,
+    const label j,
+    const vector& away
+)
+{
+    const label a = bodyId(i), b = bodyId(j);
+    if (a == b || (isOther(i) && isOther(j)))
+    {
+        return;
+    }
+    const scalar distance = max(mag(away), VSMALL);
+    const vector normal = away/distance;
+    const packedBodies::path& p = paths_[i];
+    const packedBodies::path& q = paths_[j];
+
+    // Two ranks have a pair with a sphere of another: one counts it
+    const bool counts = isOther(i) ? b < a : !isOther(j) || a < b;
+    meet
+    (
+        isOther(i) ? j : i,
+        distance - radius(i) - radius(j),
+        normal & (q.v - p.v),
+        (normal & (q.a - p.a)) + p.bend + q.bend,
+        min(radius(i), radius(j)),
+        counts
+    );
+}
+
+
 void Foam::dem::freeFlight::meetSpheres(const periodicity& period)
 {
-    const label n = state_.nSpheres();
-    vector v(Zero), a(Zero);
-    for (const packedBodies::path& p : paths_)
-    {
-        v += p.v/n;
-        a += p.a/n;
-    }
+    vector v, a;
+    findMean(v, a);
     const scalarList reach(reaches(v, a));
+    if (state_.group().shared())
+    {
+        fetchOthers(reach, period);
+    }
 
     // The spheres, and behind them the images of those near a seam
+    const label n = state_.nSpheres();
     DynamicList<point> x(n);
     DynamicList<label> source(n);
     DynamicList<scalar> r(n);
     for (label s = 0; s < n; ++s)
     {
-        x.append(state_.centre(s));
-        source.append(s);
-        r.append(reach[s]);
+        if (state_.owns(state_.bodyOf(s)))
+        {
+            x.append(state_.centre(s));
+            source.append(s);
+            r.append(reach[s]);
+        }
     }
+    forAll(others_, k)
+    {
+        x.append(others_[k].x);
+        source.append(n + k);
+        r.append(others_[k].reach);
+    }
+    const label nOriginals = x.size();
     if (period.active())
     {
         scalar overhang = 0;
-        for (label s = 0; s < n; ++s)
+        forAll(x, k)
         {
-            overhang = max(overhang, period.overhang(x[s], reach[s]));
+            overhang = max(overhang, period.overhang(x[k], r[k]));
         }
-        for (label s = 0; s < n; ++s)
+        for (label k = 0; k < nOriginals; ++k)
         {
+            const point original = x[k];
             period.forEachImage
             (
-                state_.centre(s),
-                reach[s] + overhang,
+                original,
+                r[k] + overhang,
                 [&](const label image)
                 {
-                    x.append(state_.centre(s) + period.shift(image));
-                    source.append(s);
-                    r.append(reach[s]);
+                    x.append(original + period.shift(image));
+                    source.append(source[k]);
+                    r.append(r[k]);
                 }
             );
         }
@@ -138,24 +254,10 @@ void Foam::dem::freeFlight::meetSpheres(const periodicity& period)
     (
         [&](const label k, const label l)
         {
-            const label i = source[k], j = source[l];
-            if ((k >= n && l >= n) || state_.bodyOf(i) == state_.bodyOf(j))
+            if (k < nOriginals || l < nOriginals)
             {
-                return;
+                meetPair(source[k], source[l], x[k] - x[l]);
             }
-            const vector away = x[k] - x[l];
-            const scalar distance = max(mag(away), VSMALL);
-            const vector normal = away/distance;
-            const packedBodies::path& p = paths_[i];
-            const packedBodies::path& q = paths_[j];
-            meet
-            (
-                i,
-                distance - state_.radius(i) - state_.radius(j),
-                normal & (q.v - p.v),
-                (normal & (q.a - p.a)) + p.bend + q.bend,
-                min(state_.radius(i), state_.radius(j))
-            );
         }
     );
 }
@@ -171,6 +273,10 @@ void Foam::dem::freeFlight::meetWalls
     DynamicList<label> elements;
     forAll(reach, s)
     {
+        if (!state_.owns(state_.bodyOf(s)))
+        {
+            continue;
+        }
         const packedBodies::path& path = paths_[s];
         const scalar r = state_.radius(s);
 
@@ -212,6 +318,20 @@ void Foam::dem::freeFlight::meetWalls
 }
 
 
+void Foam::dem::freeFlight::agree()
+{
+    const rankGroup& group = state_.group();
+    const scalar first = group.min(time_);
+    if (first < time_)
+    {
+        time_ = first;
+        body_ = -1;
+    }
+    landing_ = group.min(landing_);
+    nLooked_ = group.sum(nLooked_);
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::dem::freeFlight::freeFlight
@@ -237,9 +357,11 @@ Foam::dem::freeFlight::freeFlight
                 min(horizon_, firstRoot(way, mag(p.v), mag(p.a) + p.bend));
         }
     }
+    horizon_ = state.group().min(horizon_);
     time_ = landing_ = horizon_;
     meetSpheres(period);
     meetWalls(walls, period);
+    agree();
 }
 
 

@@ -90,6 +90,10 @@ Foam::dem::stepChoice Foam::dem::hadesStep::byDisplacement
 
     for (label b = 0; b < state.size(); ++b)
     {
+        if (!state.owns(b))
+        {
+            continue;
+        }
         const scalar dt = safety_*stepOf
         (
             mag(state.velocity(b)) + state.turning(b) + wallSpeed,
@@ -101,7 +105,12 @@ Foam::dem::stepChoice Foam::dem::hadesStep::byDisplacement
             choice = stepChoice{dt, "displacement", b};
         }
     }
-    return choice;
+
+    const scalar least = state.group().min(choice.dt);
+    return
+        least < choice.dt
+      ? stepChoice{least, "displacement", stepChoice::elsewhere}
+      : choice;
 }
 
 
@@ -145,6 +154,10 @@ bool Foam::dem::hadesStep::acceptMove
     label body = -1;
     for (label b = 0; b < state.size(); ++b)
     {
+        if (!state.owns(b))
+        {
+            continue;
+        }
         const scalar moved =
             mag(state.position(b) - state.oldPosition(b))
           + state.turning(b)*dt;
@@ -158,6 +171,12 @@ bool Foam::dem::hadesStep::acceptMove
         }
     }
 
+    const scalar worstOfAll = state.group().max(worst);
+    if (worst < worstOfAll)
+    {
+        worst = worstOfAll;
+        body = stepChoice::elsewhere;
+    }
     if (worst <= 1)
     {
         return true;

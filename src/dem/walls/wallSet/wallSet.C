@@ -162,6 +162,10 @@ void Foam::dem::wallSet::build(const packedBodies& state, const scalar skin)
 
     for (label s = 0; s < state.nSpheres(); ++s)
     {
+        if (!state.owns(state.bodyOf(s)))
+        {
+            continue;
+        }
         const point c = state.centre(s);
         const scalar reach = state.radius(s) + skin;
 

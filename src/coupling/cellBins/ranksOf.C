@@ -1,0 +1,192 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "ranksOf.H"
+#include "polyMesh.H"
+#include "rankMail.H"
+#include "rankSum.H"
+
+// * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- Ask ranks for points, given by their numbers, and hear a number for each;
+//  the least answer counts. hear(point, rank, answer)
+template<class Answer, class Hear>
+void ask
+(
+    const UList<point>& points,
+    const UList<DynamicList<label>>& toRanks,
+    const Answer& answer,
+    const Hear& hear
+)
+{
+    List<DynamicList<point>> questions(toRanks.size());
+    forAll(toRanks, rank)
+    {
+        for (const label i : toRanks[rank])
+        {
+            questions[rank].append(points[i]);
+        }
+    }
+
+    List<DynamicList<scalar>> answers(toRanks.size());
+    const List<List<point>> asked(dem::swapRecords(questions));
+    forAll(asked, rank)
+    {
+        for (const point& p : asked[rank])
+        {
+            answers[rank].append(answer(p));
+        }
+    }
+
+    const List<List<scalar>> heard(dem::swapRecords(answers));
+    forAll(toRanks, rank)
+    {
+        forAll(toRanks[rank], k)
+        {
+            hear(toRanks[rank][k], rank, heard[rank][k]);
+        }
+    }
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::labelList Foam::coupling::ranksOf
+(
+    const polyMesh& mesh,
+    const cellBins& bins,
+    const UList<point>& points
+)
+{
+    const label me = Pstream::myProcNo();
+    List<boundBox> boxes(Pstream::nProcs());
+    boxes[me] = boundBox(mesh.points(), false);
+    Pstream::gatherList(boxes);
+    Pstream::scatterList(boxes);
+
+    // A point on the side of a box is in it
+    for (boundBox& box : boxes)
+    {
+        box.inflate(1e-6);
+    }
+
+    labelList rank(points.size(), -1);
+    List<DynamicList<label>> toRanks(boxes.size());
+    forAll(points, i)
+    {
+        if (bins.find(points[i]) >= 0)
+        {
+            rank[i] = me;
+            continue;
+        }
+        forAll(boxes, r)
+        {
+            if (r != me && boxes[r].contains(points[i]))
+            {
+                toRanks[r].append(i);
+            }
+        }
+    }
+    ask
+    (
+        points,
+        toRanks,
+        [&](const point& p) { return scalar(bins.find(p) >= 0); },
+        [&](const label i, const label r, const scalar holds)
+        {
+            if (holds > 0 && (rank[i] < 0 || r < rank[i]))
+            {
+                rank[i] = r;
+            }
+        }
+    );
+    return rank;
+}
+
+
+Foam::labelList Foam::coupling::nearestRanksOf
+(
+    const polyMesh& mesh,
+    const cellBins& bins,
+    const UList<point>& points
+)
+{
+    labelList rank(ranksOf(mesh, bins, points));
+
+    const scalar most = mesh.bounds().mag();
+    scalarList least(points.size(), GREAT);
+    List<DynamicList<label>> toRanks(Pstream::nProcs());
+    forAll(points, i)
+    {
+        for (DynamicList<label>& to : toRanks)
+        {
+            if (rank[i] < 0)
+            {
+                to.append(i);
+            }
+        }
+    }
+    ask
+    (
+        points,
+        toRanks,
+        [&](const point& p)
+        {
+            const label c = bins.nearest(p, most);
+            return c < 0 ? GREAT : magSqr(mesh.cellCentres()[c] - p);
+        },
+        [&](const label i, const label r, const scalar distance)
+        {
+            if (distance < least[i])
+            {
+                least[i] = distance;
+                rank[i] = r;
+            }
+        }
+    );
+    return rank;
+}
+
+
+Foam::boolList Foam::coupling::areInMesh
+(
+    const polyMesh& mesh,
+    const cellBins& bins,
+    const dem::demSolver& dem
+)
+{
+    const dem::bodies& state = dem.state();
+    boolList inside(state.size());
+    if (dem.group().shared())
+    {
+        const labelList rank(ranksOf(mesh, bins, state.x));
+        forAll(inside, b)
+        {
+            inside[b] = rank[b] >= 0;
+        }
+        return inside;
+    }
+    forAll(inside, b)
+    {
+        inside[b] = bins.find(state.x[b]) >= 0;
+    }
+    dem::anyOverRanks(inside);
+    return inside;
+}
+
+
+// ************************************************************************* //

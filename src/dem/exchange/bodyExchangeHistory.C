@@ -1,0 +1,195 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "bodyExchange.H"
+#include "rankMail.H"
+
+#include <algorithm>
+
+// * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+using namespace Foam::dem;
+
+bool before(const verletList::pairHistory& a, const verletList::pairHistory& b)
+{
+    return contactBlocks::before(a.pair, b.pair);
+}
+
+
+bool same(const verletList::pairHistory& a, const verletList::pairHistory& b)
+{
+    return !before(a, b) && !before(b, a);
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::dem::sphereName Foam::dem::bodyExchange::nameOf
+(
+    const label sphere
+) const
+{
+    const label b = all_->sphereBody[sphere];
+    return sphereName{all_->id[b], sphere - all_->firstSphere[b]};
+}
+
+
+Foam::label Foam::dem::bodyExchange::find(const sphereName& s) const
+{
+    const label b = all_->find(s.body);
+    return
+        b >= 0 && s.sphere >= 0
+     && s.sphere < all_->firstSphere[b + 1] - all_->firstSphere[b]
+      ? all_->firstSphere[b] + s.sphere : -1;
+}
+
+
+bool Foam::dem::bodyExchange::concerns(const namedPair& p) const
+{
+    const label i = all_->find(p.i.body);
+    const label j = all_->find(p.j.body);
+    return
+        (i >= 0 && all_->owns(i))
+     || (j >= 0 && all_->owns(j));
+}
+
+
+Foam::DynamicList<Foam::dem::namedPair> Foam::dem::bodyExchange::pairsOf
+(
+    const verletList& list
+)
+{
+    DynamicList<namedPair> pairs(saved_);
+    saved_.clear();
+    for (const verletList::pairHistory& h : list.histories())
+    {
+        pairs.append(namedPair{nameOf(h.pair.i), nameOf(h.pair.j), h});
+    }
+    return pairs;
+}
+
+
+Foam::DynamicList<Foam::dem::namedTouch> Foam::dem::bodyExchange::touchesOf
+(
+    const wallSet& walls
+)
+{
+    DynamicList<namedTouch> touches(savedTouches_);
+    savedTouches_.clear();
+    for (const wallTouch& t : walls.touches())
+    {
+        touches.append(namedTouch{nameOf(t.sphere), t});
+    }
+    return touches;
+}
+
+
+void Foam::dem::bodyExchange::tell(DynamicList<namedPair>& pairs) const
+{
+    // Bodies that touch are within reach: the owner of either has a copy of
+    // the other
+    List<DynamicList<namedPair>> out(send_.size());
+    for (const namedPair& p : pairs)
+    {
+        for (const label id : {p.i.body, p.j.body})
+        {
+            const label b = all_->find(id);
+            if (b >= 0 && rank_[b] != Pstream::myProcNo())
+            {
+                out[rank_[b]].append(p);
+            }
+        }
+    }
+    for (const auto& part : swapRecords(out))
+    {
+        pairs.append(part);
+    }
+}
+
+
+void Foam::dem::bodyExchange::remember
+(
+    const UList<namedPair>& pairs,
+    const UList<namedTouch>& touches,
+    const bool all,
+    verletList& list,
+    wallSet& walls
+) const
+{
+    DynamicList<verletList::pairHistory> found(pairs.size());
+    for (const namedPair& p : pairs)
+    {
+        verletList::pairHistory h(p.memory);
+        h.pair.i = find(p.i);
+        h.pair.j = find(p.j);
+        if (h.pair.i >= 0 && h.pair.j >= 0 && concerns(p))
+        {
+            found.append(h);
+        }
+        else if (all && concerns(p))
+        {
+            FatalErrorInFunction
+                << "The contact of body " << p.i.body << " with body "
+                << p.j.body << " in the files of the restart cannot be: they"
+                << " are not there, or too far from each other."
+                << exit(FatalError);
+        }
+    }
+    std::sort(found.begin(), found.end(), before);
+    found.setSize
+    (
+        label(std::unique(found.begin(), found.end(), same) - found.begin())
+    );
+    list.setHistories(found);
+
+    DynamicList<wallTouch> atWalls(touches.size());
+    for (const namedTouch& t : touches)
+    {
+        const label s = find(t.i);
+        if (s >= 0)
+        {
+            atWalls.append(t.memory);
+            atWalls.last().sphere = s;
+        }
+    }
+    std::stable_sort
+    (
+        atWalls.begin(),
+        atWalls.end(),
+        [](const wallTouch& a, const wallTouch& b)
+        {
+            return a.sphere < b.sphere;
+        }
+    );
+    walls.setTouches(atWalls);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dem::bodyExchange::setSaved
+(
+    const UList<namedPair>& pairs,
+    const UList<namedTouch>& touches
+)
+{
+    saved_ = pairs;
+    savedTouches_ = touches;
+    changed_ = true;
+}
+
+
+// ************************************************************************* //
