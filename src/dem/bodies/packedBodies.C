@@ -332,13 +332,13 @@ Foam::scalar Foam::dem::packedBodies::paths(std::vector<path>& all) const
         path p{kicked(b, old, a, pending_, 0), a, 0};
         if (drag_)
         {
-            const vector drag = drag_->acceleration(b, p.v);
-            const scalar slip = mag(drag_->fluidVelocity(b) - p.v);
-            p.a = drag_->massShare(b)*a + drag;
-            p.bend = mag(drag);
+            const vector slip = drag_->fluidVelocity(b) - p.v;
+            const scalar k = drag_->rate(b, mag(slip));
+            p.a = drag_->massShare(b)*a + k*slip;
+            p.bend = k*mag(slip);
 
             // The position is off by about k a h^3/4 after a step h
-            const scalar jerk = drag_->rate(b, slip)*mag(p.a);
+            const scalar jerk = k*mag(p.a);
             longest = min(longest, cbrt(0.04*minRadius(b)/max(jerk, VSMALL)));
         }
         return p;
