@@ -142,7 +142,7 @@ public:
         state_.x[0] = x;
         state_.update();
         const packedBodies packed(state_);
-        walls_.build(packed, 0.1);
+        walls_.build(packed, Foam::scalarList(packed.nSpheres(), 0.05), 0.05);
         walls_.findTouches(packed);
         return walls_.trial();
     }

@@ -99,7 +99,7 @@ void Foam::dem::hadesSolver::computeForces
             exchange_->reachOut(packed_, list_, walls_);
         }
         list_.build(packed_);
-        walls_.build(packed_, list_.skin());
+        walls_.build(packed_, list_.allowed(), 0.5*list_.skin());
     }
 
     summary_ = contacts_.addForces
@@ -253,6 +253,7 @@ Foam::dem::hadesSolver::hadesSolver(const demInput& input)
         (
             new bodyExchange(shapes_, input.owner(), input.period)
         );
+        list_.setEven();
     }
     packed_.setInstructions(contacts_.instructions());
     list_.setLanes(contacts_.nLanes());

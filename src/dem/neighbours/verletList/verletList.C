@@ -45,9 +45,9 @@ void Foam::dem::verletList::search(const packedBodies& state)
     scalarList r(n);
     for (label s = 0; s < n; ++s)
     {
-        r[s] = state.radius(s);
+        r[s] = state.radius(s) + far_.allowed[s];
     }
-    sizeLevels(far_.x, r, skin_).forEachPair
+    sizeLevels(far_.x, r, 0).forEachPair
     (
         [&](const label i, const label j)
         {
@@ -73,7 +73,7 @@ void Foam::dem::verletList::searchImages(const packedBodies& state)
     scalar overhang = 0;
     for (label s = 0; s < n; ++s)
     {
-        r.append(state.radius(s));
+        r.append(state.radius(s) + far_.allowed[s]);
         overhang = max(overhang, period_.overhang(x[s], r[s]));
     }
     for (label s = 0; s < n; ++s)
@@ -82,7 +82,7 @@ void Foam::dem::verletList::searchImages(const packedBodies& state)
         period_.forEachImage
         (
             far_.x[s],
-            radius + skin_ + overhang,
+            radius + overhang,
             [&](const label m)
             {
                 x.append(far_.x[s] + period_.shift(m));
@@ -93,7 +93,7 @@ void Foam::dem::verletList::searchImages(const packedBodies& state)
         );
     }
 
-    sizeLevels(x, r, skin_).forEachPair
+    sizeLevels(x, r, 0).forEachPair
     (
         [&](label i, label j)
         {
@@ -190,7 +190,7 @@ void Foam::dem::verletList::setNear(const packedBodies& state)
         }
     };
     setTouch();
-    near_.start(state, 0.5*skin, slowest, 0.05);
+    near_.start(state, 0.5*skin, slowest, 0.25);
     const scalar* allowed = near_.allowed.cdata();
     nearPairs_.clear();
     for (const spherePair& p : pairs_)
@@ -239,6 +239,25 @@ void Foam::dem::verletList::adapt()
 }
 
 
+void Foam::dem::verletList::adaptFar(const label n)
+{
+    const scalar most = 8.0*n;
+    const scalar pairs = scalar(pairs_.size());
+    if (nFarSweeps_ < 40 && pairs < 0.5*most)
+    {
+        fastSkin_ *= 2;
+    }
+    else if (nFarSweeps_ > 400 || pairs > most)
+    {
+        fastSkin_ *= 0.5;
+    }
+
+    // Beyond eight times that of the others it would be rare to come so far
+    fastSkin_ = even_ ? skin_ : max(min(fastSkin_, 8*skin_), skin_);
+    nFarSweeps_ = 0;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::dem::verletList::verletList(const scalar relativeSkin)
@@ -284,7 +303,7 @@ void Foam::dem::verletList::placement::start
 
     moved = 0;
     left = part*distance;
-    least = worth*distance;
+    least = worth*part*distance;
 }
 
 
@@ -341,7 +360,8 @@ void Foam::dem::verletList::build(const packedBodies& state)
 
     skin_ = skinOf(state.meanRadius());
 
-    far_.start(state, 0.5*skin_, 1, 0.01);
+    adaptFar(n);
+    far_.start(state, 0.5*fastSkin_, skin_/max(fastSkin_, VSMALL), 0.02);
     search(state);
     for (const label lane : blocks_.touching())
     {
@@ -364,6 +384,7 @@ void Foam::dem::verletList::refresh(const packedBodies& state)
         setNear(state);
     }
     ++nSweeps_;
+    ++nFarSweeps_;
 }
 
 

@@ -154,7 +154,12 @@ inline void Foam::dem::wallSet::bequeath
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::dem::wallSet::build(const packedBodies& state, const scalar skin)
+void Foam::dem::wallSet::build
+(
+    const packedBodies& state,
+    const UList<scalar>& allowed,
+    const scalar own
+)
 {
     near_.clear();
     builtT_ = t_;
@@ -167,7 +172,7 @@ void Foam::dem::wallSet::build(const packedBodies& state, const scalar skin)
             continue;
         }
         const point c = state.centre(s);
-        const scalar reach = state.radius(s) + skin;
+        const scalar reach = state.radius(s) + allowed[s] + own;
 
         findNear(s, periodicity::original, c, reach);
         period_.forEachImage
