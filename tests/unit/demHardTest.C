@@ -52,6 +52,61 @@ std::string body
       + "; velocity " + text(v) + "; }\n";
 }
 
+
+//- Bodies at random in a cube of width w [m]
+std::string random
+(
+    const label n,
+    const scalar w,
+    const std::string& shape,
+    const std::string& prefix = "b"
+)
+{
+    std::mt19937 numbers(1 + label(prefix[0] == 'c'));
+    const auto uniform = [&]() { return numbers()/4294967296.0; };
+    std::string dict = "bodies\n{\n";
+    for (label k = 0; k < n; ++k)
+    {
+        const vector x(uniform(), uniform(), uniform());
+        dict += body(prefix + std::to_string(k), shape, w*x, Foam::Zero);
+    }
+    return dict + "}\n";
+}
+
+
+//- Figures of a start in overlap: what is left, how fast it flies apart, how
+//  far it has gone
+void relaxed
+(
+    const std::string& name,
+    demCase& c,
+    const label n
+)
+{
+    figure
+    (
+        name + "_start",
+        c.solver().report().overlap,
+        0,
+        1e-4,
+        "radii",
+        "overlap after start relax"
+    );
+    scalar fastest = 0, overlap = 0;
+    for (label k = 0; k < 4; ++k)
+    {
+        c.run(5e-4);
+        overlap = std::max(overlap, c.solver().report().overlap);
+        for (const vector& v : c.state().v)
+        {
+            fastest = std::max(fastest, mag(v));
+        }
+    }
+    figure(name + "_speed", fastest, 0, 1, "m/s", "2 ms after the start");
+    figure(name + "_overlap", overlap, 0, 0.01, "radii", "the same");
+    figure(name + "_lost", n - c.state().size(), 0, 0, "bodies", "all stay");
+}
+
 } // End anonymous namespace
 
 
@@ -60,23 +115,94 @@ std::string body
 TEST(demHard, startInOverlap)
 {
     // 10,000 at random where 3,000 would have room
-    std::mt19937 random(1);
-    const auto uniform = [&]() { return random()/4294967296.0; };
-    std::string dict =
-        stuff("", "restitution 0.5; friction 0.5;")
-      + "stepControl { type contact; }\nbodies\n{\n";
-    for (int n = 0; n < 10000; ++n)
-    {
-        dict += body
-        (
-            "b" + std::to_string(n),
-            "ball",
-            0.15*vector(uniform(), uniform(), uniform()),
-            Foam::Zero
-        );
-    }
-    const std::string said = messageOf([&]() { demCase(dict + "}\n"); });
+    const std::string dict = stuff("", "restitution 0.5; friction 0.5;")
+      + "stepControl { type contact; }\n" + random(10000, 0.15, "ball");
+
+    const std::string said = messageOf([&]() { demCase c(dict); });
     for (const char* const part : {"overlap at the start", "body ", "%"})
+    {
+        EXPECT_NE(said.find(part), std::string::npos) << part << said;
+    }
+
+    demCase c("start relax;\n" + dict);
+    relaxed("hard05_open", c, 10000);
+}
+
+
+TEST(demHard, relaxInBox)
+{
+    // 10,000 in a box, of which they fill 0.55
+    const scalar w = 0.212;
+    demCase c
+    (
+        "start relax;\n" + stuff("", "restitution 0.5; friction 0.5;")
+      + "stepControl { type contact; }\n"
+      + "walls { box { type box; min (0 0 0); max " + text(vector(w, w, w))
+      + "; side inside; material stuff; } }\n" + random(10000, w, "ball")
+    );
+    relaxed("hard05_box", c, 10000);
+    scalar least = 1;
+    for (const point& x : c.state().x)
+    {
+        least = std::min({least, cmptMin(x), w - cmptMax(x)});
+    }
+    figure("hard05_box_walls", least/0.005, 0.99, styxTest::noBar, "radii",
+        "least distance of a centre to the walls");
+}
+
+
+TEST(demHard, relaxClumps)
+{
+    // Cubes of nine spheres and balls through each other, sides periodic,
+    // and a grain of dust in the middle of a ball
+    const scalar w = 0.1;
+    Foam::dem::periodicity period;
+    for (const vector& n : {vector(1, 0, 0), vector(0, 1, 0), vector(0, 0, 1)})
+    {
+        period.append(Foam::dem::periodicity::seam{n, 0, w*n});
+    }
+    std::string shapes = cubeOfNine;
+    shapes.insert
+    (
+        shapes.find('{') + 1,
+        " ball { type sphere; diameter 0.01; }"
+        " dust { type sphere; diameter 1e-4; } "
+    );
+    std::string dict = stuff("", "restitution 0.5; friction 0.5;");
+    dict.replace(dict.find("shapes"), std::string::npos, shapes);
+    std::string bodies = random(200, w, "cube");
+    bodies.erase(bodies.rfind('}'));
+    bodies += random(200, w, "ball", "c");
+    bodies.erase(bodies.rfind("bodies"), 9);
+    bodies.erase(bodies.rfind('}'));
+    bodies += body("q", "ball", {0.05, 0.05, 0.05}, Foam::Zero)
+      + body("r", "dust", {0.05, 0.05, 0.05}, Foam::Zero) + "}\n";
+
+    demCase c
+    (
+        "start relax;\n" + dict + "stepControl { type contact; }\n" + bodies,
+        Foam::Zero,
+        Foam::List<Foam::dem::corners>(),
+        [&](Foam::dem::demInput& input) { input.period = period; }
+    );
+    relaxed("hard05_clumps", c, 402);
+}
+
+
+TEST(demHard, relaxNoRoom)
+{
+    // Eight balls where there is room for one
+    const std::string said = messageOf([&]()
+    {
+        demCase c
+        (
+            "start relax;\n" + stuff("", "restitution 0.5; friction 0.5;")
+          + "stepControl { type contact; }\n"
+            "walls { box { type box; min (0 0 0); max (0.011 0.011 0.011);"
+            " side inside; material stuff; } }\n" + random(8, 0.011, "ball")
+        );
+    });
+    for (const char* const part : {"still overlap by", "not enough room"})
     {
         EXPECT_NE(said.find(part), std::string::npos) << part << said;
     }

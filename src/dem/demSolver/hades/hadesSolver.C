@@ -244,6 +244,11 @@ Foam::dem::hadesSolver::hadesSolver(const demInput& input)
       : verletList(0.1)
     ),
     slips_(readLaws(input.dict).tangential == "mindlin"),
+    relaxes_
+    (
+        getChoice(input.dict, "start", {"asGiven", "relax"}, "asGiven")
+     == "relax"
+    ),
     integrator_(integrator::New(input.dict)),
     control_(stepControl::New(input.dict.subDict("stepControl")))
 {
@@ -266,6 +271,7 @@ Foam::dem::hadesSolver::hadesSolver(const demInput& input)
     checkIntegrator(readLaws(input.dict));
     if (!input.restart)
     {
+        relax();
         checkOverlaps();
     }
 }

@@ -11,6 +11,7 @@ License
 #include "hadesSolver.H"
 #include "allowedKeys.H"
 #include "checkedEntry.H"
+#include "overlapRelaxation.H"
 #include "roomGrid.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -118,7 +119,38 @@ void Foam::dem::hadesSolver::checkOverlaps()
         FatalIOErrorInFunction(input_.dict.subDict("bodies"))
             << who.c_str() << " overlap at the start, by "
             << 100*report_.overlap << " % of the smaller radius." << nl
-            << "    Bodies may start with 0.1 % at most: move them apart."
+            << "    Bodies may start with 0.1 % at most: move them apart, or"
+            << " let the entry  start relax;  do it."
+            << exit(FatalIOError);
+    }
+}
+
+
+void Foam::dem::hadesSolver::relax()
+{
+    if (!relaxes_ || !state_.size())
+    {
+        return;
+    }
+    walls_.moveTo(input_.start);
+
+    const overlapRelaxation::result r =
+        overlapRelaxation(state_, walls_, input_.period).run();
+    Info<< "    start relax: " << r.nPasses << " passes; largest overlap "
+        << 100*r.before << " % of the smaller radius before, "
+        << 100*r.after << " % now; bodies moved by " << r.mean
+        << " m on average, " << r.farthest << " m at most" << endl;
+
+    if (r.after > overlapRelaxation::tolerance)
+    {
+        FatalIOErrorInFunction(input_.dict)
+            << "start relax: after " << r.nPasses << " passes "
+            << nameOf(r.a).c_str() << " and " << nameOf(r.b).c_str()
+            << " still overlap by " << 100*r.after
+            << " % of the smaller radius, from " << 100*r.before
+            << " % before." << nl
+            << "    There is not enough room: equal spheres at random need"
+            << " 1.6 times their own volume, and near that it takes long."
             << exit(FatalIOError);
     }
 }
