@@ -17,6 +17,8 @@ Description
 #include "demCase.H"
 
 #include <cmath>
+#include <cstdio>
+#include <fstream>
 
 using namespace styxTest;
 using namespace Foam::dem;
@@ -207,6 +209,130 @@ TEST(demGenerator, waitsForRoom)
     testing::internal::GetCapturedStdout();
     EXPECT_EQ(one.solver().generators()[0].nEntered(), 2);
     EXPECT_EQ(one.state().id[0], 1);
+}
+
+
+TEST(demGenerator, fileOfBodies)
+{
+    // Names in the first line, comments, several separators, a clump that is
+    // turned, sizes
+    std::ofstream("bodies.csv")
+        << "# made by hand\n"
+           "x, y, z, vx, vy, vz, shape, diameter, ax, ay, az, angle, -\n"
+           "0, 0, 10, 1, 2, 3, ball, 4, 0, 0, 1, 0, one   # as it is\n"
+           "\n"
+           "10;20;30; 0;0;0; rod; 2; 0;0;1; 90; two\n";
+    const std::string head =
+        "demSolver hades;\nmaterials { s { density 1000; youngsModulus 1e7;"
+        " poissonsRatio 0.3; } w { youngsModulus 1e7; poissonsRatio 0.3; } }\n"
+        "pairs { s-s { restitution 0.5; friction 0; }"
+        " s-w { restitution 0.5; friction 0; } }\n"
+        "shapes { ball { type sphere; diameter 0.001; }"
+        " rod { type multisphere; spheres (((0 0 0) 0.001)"
+        " ((0.002 0 0) 0.001)); } }\nstepControl { type contact; }\n";
+    const std::string file =
+        "generators { bed { type file; file \"bodies.csv\"; material s;"
+        " scale 1e-3; start 1; } }\n";
+    demCase c(head + file);
+    c.solver().enter(0);
+    EXPECT_EQ(c.state().size(), 0);
+    c.solver().enter(1);
+    ASSERT_EQ(c.state().size(), 2);
+    c.solver().enter(2);
+    EXPECT_EQ(c.state().size(), 2);
+
+    const Foam::dem::bodies& b = c.state();
+    const scalar volume = Foam::constant::mathematical::pi/6*8e-9;
+    figure
+    (
+        "generatorFile",
+        mag(b.x[0] - point(0, 0, 0.01)) + mag(b.x[1] - point(0.01, 0.02, 0.03))
+      + mag(b.v[0] - vector(1, 2, 3)) + std::abs(b.sphereR[0] - 0.002)
+      + std::abs(b.mass[1]/(1000*volume) - 1)
+      + std::abs((b.sphereX[2] - b.sphereX[1]).x()),
+        0,
+        1e-12,
+        "SI",
+        "places, velocity, size, mass and rotation as in the file"
+    );
+    EXPECT_GT((b.sphereX[2] - b.sphereX[1]).y(), 0);
+
+    const auto says = [&](const std::string& lines, const std::string& entries)
+    {
+        std::ofstream("bodies.csv") << lines;
+        return messageOf([&]()
+        {
+            demCase bad
+            (
+                head + "generators { bed { type file; file \"bodies.csv\"; "
+              + entries + " } }\n"
+            );
+            bad.solver().enter(0);
+        });
+    };
+    const std::string both = "shape ball; material s;";
+    struct
+    {
+        std::string lines, entries;
+        std::vector<std::string> parts;
+    } const wrong[] =
+    {
+        {"0 0 0\n0 0 1 2\n", both, {"bodies.csv, line 2", "4 words", "x y z"}},
+        {"0 0 0\n0 0 nan\n", both, {"line 2", "column z", "'nan'"}},
+        {"0 0 0\n0 zero 1\n", both, {"line 2", "column y", "'zero'"}},
+        {"x y z u\n0 0 0 1\n", both, {"line 1", "named u", "vx"}},
+        {"x y z x\n0 0 0 1\n", both, {"line 1", "x stands twice"}},
+        {"x y vx\n0 0 0\n", both, {"line 1", "all of x y z"}},
+        {"x y z vx\n0 0 0 1\n", both, {"line 1", "all of vx vy vz"}},
+        {"x y z shape\n0 0 0 egg\n", "material s;", {"line 2", "egg", "rod"}},
+        {"x y z material\n0 0 0 w\n", "shape ball;",
+            {"line 2", "no material w with a density"}},
+        {"x y z diameter\n0 0 0 -1\n", both, {"line 2", "diameter"}},
+        {"x y z ax ay az angle\n0 0 0 0 0 0 5\n", both, {"line 2", "axis"}},
+        {"0 0 0\n", "shape ball;", {"material", "missing"}},
+        {"x y z shape\n0 0 0 ball\n", both, {"shape", "too"}},
+        {"# none\n", both, {"holds no body"}},
+        {"0 0 0\n0 0 0.0005\n", both, {"line 2", "overlaps", "start relax"}},
+        {"0 0 0\n", both + " number 5;", {"number"}}
+    };
+    for (const auto& w : wrong)
+    {
+        const std::string said = says(w.lines, w.entries);
+        for (const std::string& part : w.parts)
+        {
+            EXPECT_NE(said.find(part), std::string::npos) << part << '\n' << said;
+        }
+    }
+    EXPECT_EQ(says("0 0 0\n0 0 0.0009995\n", both), "");
+    std::remove("bodies.csv");
+    const std::string said = messageOf([&]()
+    {
+        demCase bad
+        (
+            head + "generators { bed { type file; file \"none.csv\"; " + both
+          + " } }\n"
+        );
+    });
+    EXPECT_NE(said.find("cannot be read"), std::string::npos) << said;
+}
+
+
+TEST(demGenerator, fileIsRelaxed)
+{
+    std::ofstream("bodies.csv") << "0 0 0\n0 0 0.0005\n";
+    demCase c
+    (
+        "start relax;\ndemSolver hades;\nmaterials { s { density 1000;"
+        " youngsModulus 1e7; poissonsRatio 0.3; } }\n"
+        "pairs { s-s { restitution 0.5; friction 0; } }\n"
+        "shapes { ball { type sphere; diameter 0.001; } }\n"
+        "stepControl { type contact; }\ngenerators { bed { type file;"
+        " file \"bodies.csv\"; shape ball; material s; } }\n"
+    );
+    c.solver().enter(0);
+    figure("generatorFileRelaxed", mag(c.state().x[0] - c.state().x[1]),
+        0.001, 0.0010006, "m", "two that overlapped by half touch");
+    std::remove("bodies.csv");
 }
 
 

@@ -236,8 +236,59 @@ TEST(demHard, wallIntoBed)
         );
     }
     demCase c(dict + "}\n");
-    scalar overlap = 0;
-    for (int n = 0; n < 30; ++n)
+    // Hertz' force on the lid and energy of all springs, from where the
+    // balls are
+    const scalar r = 0.005, E = 1e8/(2*(1 - 0.3*0.3));
+    const auto spring = [&](const scalar rStar, const scalar overlap)
+    {
+        return 8.0/15.0*E*std::sqrt(rStar)
+           *std::pow(std::max(overlap, scalar(0)), 2.5);
+    };
+    const auto energy = [&](const scalar lid)
+    {
+        scalar e = c.state().kineticEnergy();
+        for (label i = 0; i < 96; ++i)
+        {
+            const point& x = c.state().x[i];
+            for (label j = 0; j < i; ++j)
+            {
+                e += spring(0.5*r, 2*r - mag(x - c.state().x[j]));
+            }
+            e += spring(r, r - x.z()) + spring(r, r - (lid - x.z()));
+            for (int d = 0; d < 2; ++d)
+            {
+                e += spring(r, r - x[d]) + spring(r, r - (w - x[d]));
+            }
+        }
+        return e;
+    };
+    const auto push = [&](const scalar lid)
+    {
+        scalar F = 0;
+        for (const point& x : c.state().x)
+        {
+            const scalar depth = std::max(r - (lid - x.z()), scalar(0));
+            F += 4.0/3.0*E*std::sqrt(r)*std::pow(depth, 1.5);
+        }
+        return F;
+    };
+    scalar overlap = 0, F = push(h), work = 0, peak = 0, jump = 0;
+    const scalar e0 = energy(h), dt = 2e-6;
+    for (int n = 1; n <= 606; ++n)
+    {
+        c.run(dt);
+        overlap = std::max(overlap, c.solver().report().overlap);
+        const scalar now = push(h - n*dt);
+        work += 0.5*(now + F)*dt;
+        jump = std::max(jump, std::abs(now - F));
+        peak = std::max(peak, now);
+        F = now;
+    }
+    figureNear("hard06_energy", energy(0.98*h) - e0, work, 0.01, "J",
+        "work of the lid");
+    figure("hard06_smooth", jump/peak, 1e-4, 0.02, "of the largest force",
+        "largest change of the lid's force in 2e-6 s");
+    for (int n = 0; n < 18; ++n)
     {
         c.run(1e-4);
         overlap = std::max(overlap, c.solver().report().overlap);
@@ -286,6 +337,62 @@ TEST(demHard, wallIntoBed)
         "-",
         "kinetic energy does not grow after the lid has stopped"
     );
+}
+
+
+TEST(demHard, headOn)
+{
+    // Two balls of 1 cm meet at 100 m/s
+    demCase c
+    (
+        stuff("", "restitution 0.9; friction 0.5;")
+      + "stepControl { type contact; }\nbodies\n{\n"
+      + body("a", "ball", {0, 0, 0}, {50, 0, 0})
+      + body("b", "ball", {0.02, 0, 0}, {-50, 0, 0}) + "}\n"
+    );
+    c.run(2e-3);
+    EXPECT_EQ(c.solver().report().nContacts, 0);
+    figureNear("hard02_restitution",
+        (c.state().v[1].x() - c.state().v[0].x())/100, 0.9, 0.01, "-",
+        "given, at 100 m/s");
+}
+
+
+TEST(demHard, thousandAtTriangle)
+{
+    // A ball at 1,000 m/s against one triangle, with both step controls that
+    // choose; also where it starts right before it
+    const Foam::List<Foam::dem::corners> triangle
+    (
+        1,
+        Foam::dem::corners{{-1, -1, 0}, {1, -1, 0}, {0, 2, 0}}
+    );
+    scalar worst = 0;
+    for (const char* const control : {"hades", "contact"})
+    {
+        for (const scalar z : {0.00501, 0.02, 1.7})
+        {
+            demCase c
+            (
+                "demSolver hades;\ncontact { damping none;"
+                " tangential none; }\nmaterials { stuff { density 2500;"
+                " youngsModulus 1e11; poissonsRatio 0.3; } }\n"
+                "pairs { stuff-stuff {} }\n"
+                "shapes { ball { type sphere; diameter 0.01; } }\n"
+                "walls { w { type patch; material stuff; } }\n"
+                "stepControl { type " + std::string(control) + "; }\n"
+                "bodies\n{\n"
+              + body("b", "ball", {0.1, 0.2, z}, {0, 0, -1000}) + "}\n",
+                Foam::Zero,
+                triangle
+            );
+            c.run(2*z/1000 + 1e-4);
+            EXPECT_GT(c.state().x[0].z(), 0);
+            worst = std::max(worst, std::abs(c.state().v[0].z()/1000 - 1));
+        }
+    }
+    figure("hard07_bounce", worst, 0, 0.01, "of 1,000 m/s",
+        "comes back as fast");
 }
 
 

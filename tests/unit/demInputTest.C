@@ -125,6 +125,9 @@ TEST(demInput, wrongChoice)
         {"some", "none", "hades", "critical", "restitution"});
     spoil("damping restitution;", "damping restitution; pulling maybe;",
         {"pulling", "maybe", "yes", "no"});
+    spoil("integrator stormerVerlet;",
+        "integrator stormerVerlet; start relaxed;",
+        {"start", "relaxed", "asGiven", "relax"});
     spoil("stormerVerlet", "euler", {"euler", "stormerVerlet"});
     spoil("type verletList", "type none", {"none", "verletList"});
     spoil("type hades", "type variable", {"variable", "fixed", "hades"});

@@ -22,6 +22,7 @@ Description
 #include "Time.H"
 #include "fvMesh.H"
 #include "demCloud.H"
+#include "progressReport.H"
 
 using namespace Foam;
 
@@ -37,6 +38,7 @@ int main(int argc, char *argv[])
 
     {
         demCloud cloud(mesh, demCloud::fluidAccess::none);
+        progressReport progress(runTime);
 
         while (runTime.run())
         {
@@ -46,6 +48,11 @@ int main(int argc, char *argv[])
             cloud.beginStep();
             cloud.endStep();
             runTime.write();
+            progress.add
+            (
+                cloud.dem().report().nSteps,
+                cloud.dem().state().size()
+            );
         }
     }
 

@@ -371,7 +371,7 @@ Foam::scalar Foam::dem::packedBodies::paths(std::vector<path>& all) const
         const vector omega = angularVelocity(c.q, L, c.inertia);
         const scalar least = cmptMin(c.inertia);
         const scalar spin = mag(L)/least;
-        longest = min(longest, 0.1/max(spin, VSMALL));
+        longest = min(longest, 0.04/max(spin, VSMALL));
         for (label s = c.first; s < c.last; ++s)
         {
             const vector arm = vectorOf(now_.x(s)) - c.x;

@@ -36,7 +36,14 @@ void Foam::dem::hadesSolver::readGenerators()
     {
         generators_.append
         (
-            generator::New(name, dict.subDict(name), sizes, materials_).ptr()
+            generator::New
+            (
+                name,
+                dict.subDict(name),
+                sizes,
+                materials_,
+                input_.directory
+            ).ptr()
         );
     }
 }
@@ -174,6 +181,18 @@ void Foam::dem::hadesSolver::enter(const scalar t)
             }
             return !group_.any(!grid->hasRoom(body));
         };
+    const bool relaxes = relaxes_ && !input_.restart && !hasEntered_;
+    const generator::hasRoom asGiven =
+        [&](const newBody& body)
+        {
+            if (!grid.valid() && !relaxes)
+            {
+                grid.reset(new roomGrid(state_, walls_, input_.period));
+            }
+            return relaxes || !group_.any(!grid->hasRoom(body, 1e-3));
+        };
+    hasEntered_ = true;
+    bool overlap = false;
 
     const label nextId = state_.nextId();
     for (generator& g : generators_)
@@ -184,7 +203,23 @@ void Foam::dem::hadesSolver::enter(const scalar t)
         while (g.nEntered() < nDue)
         {
             newBody body;
-            const bool made = g.make(g.nEntered(), room, body);
+            const bool made = g.make
+            (
+                g.nEntered(),
+                g.placesAsGiven() ? asGiven : room,
+                body
+            );
+            if (!made && g.placesAsGiven())
+            {
+                FatalErrorInFunction
+                    << "Generator " << g.name() << ": the body of "
+                    << g.source(g.nEntered()).c_str() << " at "
+                    << body.position << " overlaps another or a wall." << nl
+                    << "    Bodies may overlap by 0.1 % of their radius at"
+                    << " most: move it, or let the entry  start relax;  do it"
+                    << " at the start of the run." << exit(FatalError);
+            }
+            overlap = overlap || g.placesAsGiven();
             if (made)
             {
                 const label b = share(body);
@@ -212,6 +247,10 @@ void Foam::dem::hadesSolver::enter(const scalar t)
     {
         exchange_->setChanged();
     }
+    if (relaxes && overlap)
+    {
+        relax();
+    }
 }
 
 
@@ -233,12 +272,14 @@ bool Foam::dem::hadesSolver::hasRoomFor(const label i) const
     const roomGrid grid(state_, walls_, input_.period);
     return
         g.nEntered() >= g.plan().total
+     || (relaxes_ && g.placesAsGiven())
      || g.make
         (
             g.nEntered(),
             [&](const newBody& n)
             {
-                return !group_.any(!grid.hasRoom(n));
+                const scalar part = g.placesAsGiven() ? 1e-3 : 0;
+                return !group_.any(!grid.hasRoom(n, part));
             },
             body
         );

@@ -33,7 +33,8 @@ Foam::dem::batchGenerator::batchGenerator
     const word& name,
     const dictionary& dict,
     shapeSizes& shapes,
-    const materials& m
+    const materials& m,
+    const fileName&
 )
 :
     regionGenerator(name, dict, shapes, m, {"times", "number"}),

@@ -102,7 +102,8 @@ Foam::dem::fillGenerator::fillGenerator
     const word& name,
     const dictionary& dict,
     shapeSizes& shapes,
-    const materials& m
+    const materials& m,
+    const fileName&
 )
 :
     regionGenerator

@@ -30,7 +30,8 @@ Foam::autoPtr<Foam::dem::generator> Foam::dem::generator::New
     const word& name,
     const dictionary& dict,
     shapeSizes& shapes,
-    const materials& m
+    const materials& m,
+    const fileName& directory
 )
 {
     const word type = getChoice
@@ -45,7 +46,8 @@ Foam::autoPtr<Foam::dem::generator> Foam::dem::generator::New
             name,
             dict,
             shapes,
-            m
+            m,
+            directory
         );
 }
 

@@ -60,7 +60,8 @@ Foam::dem::rateGenerator::rateGenerator
     const word& name,
     const dictionary& dict,
     shapeSizes& shapes,
-    const materials& m
+    const materials& m,
+    const fileName&
 )
 :
     regionGenerator

@@ -201,7 +201,11 @@ void Foam::dem::roomGrid::add(const label b)
 }
 
 
-bool Foam::dem::roomGrid::hasRoom(const newBody& body) const
+bool Foam::dem::roomGrid::hasRoom
+(
+    const newBody& body,
+    const scalar part
+) const
 {
     bool room = true;
     DynamicList<label> elements;
@@ -209,8 +213,9 @@ bool Foam::dem::roomGrid::hasRoom(const newBody& body) const
     (
         state_.shapes()[body.shapeI],
         body,
-        [&](const point& x, const scalar r)
+        [&](const point& x, const scalar radius)
         {
+            const scalar r = (1 - part)*radius;
             room = room && !touches(x, r);
             if (!room)
             {
