@@ -333,7 +333,7 @@ TEST(demFill, wrongInput)
     expect("type fill; number 3; region { sphere (0 0 0) 0.006; }",
         "densest packing");
     expect("type fill; number 3; region { ball (0 0 0) 1; }", "sphere");
-    expect("type pour; number 3;" + box, "batch fill rate");
+    expect("type pour; number 3;" + box, "batch file fill rate");
 }
 
 

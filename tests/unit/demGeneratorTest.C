@@ -300,7 +300,8 @@ TEST(demGenerator, fileOfBodies)
         const std::string said = says(w.lines, w.entries);
         for (const std::string& part : w.parts)
         {
-            EXPECT_NE(said.find(part), std::string::npos) << part << '\n' << said;
+            EXPECT_NE(said.find(part), std::string::npos)
+                << part << '\n' << said;
         }
     }
     EXPECT_EQ(says("0 0 0\n0 0 0.0009995\n", both), "");

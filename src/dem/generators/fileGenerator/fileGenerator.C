@@ -343,7 +343,7 @@ Foam::dem::fileGenerator::fileGenerator
         common.materialI = m.findOfBody(dict, "material");
     }
     readFile(common, shapes, m, dict);
-    for (const word& key : {"shape", "material"})
+    for (const char* const key : {"shape", "material"})
     {
         if (columns_.found(key) == dict.found(key))
         {
