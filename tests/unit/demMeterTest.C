@@ -15,6 +15,7 @@ Description
 #include "demCase.H"
 #include "coordination.H"
 #include "massFlow.H"
+#include "stressMeter.H"
 
 #include <cmath>
 
@@ -199,6 +200,185 @@ TEST(demMeter, wrongInput)
     expect(flow + "normal (0 0 0);", "length", false);
     expect(flow + "normal (0 0 1); radius 1;", "radius", false);
     expect(flow + "normal (1 1 0);", "all cyclic patches but one", true);
+}
+
+
+TEST(demMeter, contactForces)
+{
+    // Balls that slide over each other and the floor, without damping: each
+    // by itself, and all of a body together
+    std::string dict = properties
+    (
+        ball("a", point(0, 0, 0.00499), vector(0.1, 0, 0))
+      + ball("b", point(0.00999, 0, 0.00499), vector(0, 0.1, 0))
+      + ball("c", point(0.005, 0.0002, 0.0135), vector(0, 0, -0.1)),
+        "contact { damping none; }\nwalls { floor { type plane;"
+        " point (0 0 0); normal (0 0 1); material stuff; } }\n"
+        "start relax;\n"
+    );
+    const std::string pair("restitution 0.5; friction 0");
+    dict.replace(dict.find(pair), pair.size(), "friction 0.5");
+    demCase c(dict, gravity);
+    c.run(2e-3);
+    c.run(1e-3);
+
+    const Foam::List<contactForce> all(c.solver().contacts());
+    figure("contactForces_number", all.size(),
+        c.solver().report().nContacts, c.solver().report().nContacts,
+        "contacts", "those of the step");
+    EXPECT_GE(all.size(), 2);
+
+    Foam::vectorField sum(3, vector(Foam::Zero));
+    scalar largest = 0, across = 0;
+    for (const contactForce& f : all)
+    {
+        sum[f.a] += f.force;
+        if (f.b >= 0)
+        {
+            sum[f.b] -= f.force;
+        }
+        largest = std::max(largest, mag(f.force));
+        across = std::max(across, f.tangential());
+        EXPECT_LE(f.tangential(), 0.5*f.normal()*(1 + 1e-9));
+        EXPECT_GT(f.normal(), 0);
+    }
+    EXPECT_GT(across, 0.05*largest);
+    scalar worst = 0;
+    for (label b = 0; b < 3; ++b)
+    {
+        worst = std::max
+        (
+            worst,
+            mag(sum[b] + ballMass*gravity - c.state().force[b])/largest
+        );
+    }
+    figure("contactForces_sum", worst, 0, 1e-9, "-",
+        "their sum and the weight against the force on the body");
+}
+
+
+TEST(demMeter, stressOfColumn)
+{
+    // Ten balls upon each other at rest: ball k from below bears N - k of them
+    const label N = 10;
+    const scalar r = 0.005;
+    std::string bodies;
+    for (label k = 0; k < N; ++k)
+    {
+        bodies += ball("b" + std::to_string(k), point(0, 0, r + 2*r*k));
+    }
+    std::string stiff = properties
+    (
+        bodies,
+        "walls { floor { type plane; point (0 0 0); normal (0 0 1);"
+        " material stuff; } }\n"
+    );
+    stiff.replace(stiff.find("1e6"), 3, "1e9");
+    demCase c(stiff, gravity);
+    c.run(0.2);
+    Foam::dictionary dict
+    (
+        dictionaryOf("type stress; region { box (-1 -1 0) (1 1 1); }")
+    );
+    stressMeter meter("column", dict, periodicity());
+    meter.end(c.solver(), 1);
+    figureNear
+    (
+        "stress_column",
+        meter.stress().zz(),
+        ballMass*9.81*r*N*N/4,
+        0.01,
+        "Pa",
+        "m g r N^2/V"
+    );
+    EXPECT_LT(std::abs(meter.stress().xx()), 1e-6*meter.stress().zz());
+}
+
+
+TEST(demMeter, stressOfBox)
+{
+    // A cubic lattice under an overlap that is the same everywhere, with the
+    // force of Hertz: F/pitch^2 in all directions, and no shear
+    const scalar r = 0.005, delta = 9e-4*r, pitch = 2*r - delta;
+    const scalar inWall = delta*std::cbrt(0.5);
+    const label n = 6;
+    std::string bodies;
+    for (label k = 0; k < n*n*n; ++k)
+    {
+        const vector cell(k % n, k/n % n, k/n/n);
+        bodies += ball("b" + std::to_string(k), pitch*cell);
+    }
+    const scalar low = -(r - inWall), high = pitch*(n - 1) - low;
+    demCase c
+    (
+        properties
+        (
+            bodies,
+            "walls { box { type box; min " + text(vector(low, low, low))
+          + "; max " + text(vector(high, high, high))
+          + "; side inside; material stuff; } }\n"
+        )
+    );
+    c.run(1e-6);
+    const scalar a = 0.5*pitch, b = pitch*(n - 1.5);
+    Foam::dictionary dict
+    (
+        dictionaryOf
+        (
+            "type stress; region { box " + text(vector(a, a, a)) + " "
+          + text(vector(b, b, b)) + "; }"
+        )
+    );
+    stressMeter meter("box", dict, periodicity());
+    meter.end(c.solver(), 1);
+    const scalar E = 1e6/(2*(1 - 0.09));
+    const scalar F = 4.0/3.0*E*std::sqrt(0.5*r)*std::pow(delta, 1.5);
+    const Foam::symmTensor s = meter.stress()/(F/pitch/pitch);
+    figure
+    (
+        "stress_box",
+        mag(s - Foam::symmTensor::I),
+        0,
+        1e-6,
+        "-",
+        "isotropic, F/pitch^2"
+    );
+
+    // Two that fly apart: no contact, 2 m v^2/V
+    demCase gas
+    (
+        properties
+        (
+            ball("a", point(0.2, 0, 0), vector(2, 0, 0))
+          + ball("b", point(-0.2, 0, 0), vector(-2, 0, 0))
+        )
+    );
+    Foam::dictionary all
+    (
+        dictionaryOf("type stress; region { box (-1 -1 -1) (1 1 1); }")
+    );
+    stressMeter flying("gas", all, periodicity());
+    flying.end(gas.solver(), 1);
+    figureNear("stress_motion", flying.motion().xx(), 2*ballMass*4/8, 1e-12,
+        "Pa", "2 m v^2/V");
+}
+
+
+TEST(demMeter, stressWrongInput)
+{
+    const auto says = [](const std::string& entries)
+    {
+        return messageOf([&]()
+        {
+            Foam::dictionary dict(dictionaryOf("type stress; " + entries));
+            stressMeter meter("bad", dict, periodicity());
+        });
+    };
+    EXPECT_NE(says("region { box (0 0 0) (1 1 0); }").find("no volume"),
+        std::string::npos);
+    EXPECT_NE(says("region { box (0 0 0) (1 1 1); } where here;").find("where"),
+        std::string::npos);
+    EXPECT_NE(says("").find("region"), std::string::npos);
 }
 
 

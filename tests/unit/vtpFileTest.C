@@ -191,4 +191,31 @@ TEST(vtpFile, series)
 }
 
 
+TEST(vtpFile, lines)
+{
+    // Three lines of two points each
+    const values v(6);
+    vtpFile out(v.x, true);
+    out.write("diameter", v.d);
+    out.save(folder/"lines.vtp");
+
+    const std::string text = contentOf(folder/"lines.vtp");
+    for
+    (
+        const char* const part :
+        {
+            "NumberOfPoints=\"6\"", "NumberOfVerts=\"0\"",
+            "NumberOfLines=\"3\"", "<Lines>", "</Lines>"
+        }
+    )
+    {
+        EXPECT_NE(text.find(part), std::string::npos) << part;
+    }
+    const vtpFile in(folder/"lines.vtp");
+    EXPECT_EQ(in.points(), v.x);
+    EXPECT_EQ(in.scalars("diameter"), v.d);
+    rmDir(folder);
+}
+
+
 // ************************************************************************* //

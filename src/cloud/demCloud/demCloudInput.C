@@ -250,6 +250,7 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const fluidAccess access)
     exits_(mesh),
     timeIndex_(-1),
     vtp_(false),
+    network_(false),
     projected_(false),
     open_(false),
     advancing_(false),
@@ -274,8 +275,9 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const fluidAccess access)
     if (dict_.found("output"))
     {
         const dictionary& output = dict_.subDict("output");
-        dem::checkKeys(output, {"vtp"});
+        dem::checkKeys(output, {"vtp", "contactNetwork"});
         vtp_ = output.getOrDefault<bool>("vtp", false);
+        network_ = output.getOrDefault<bool>("contactNetwork", false);
     }
 
     const dem::demInput input(solverInput(access));

@@ -154,6 +154,49 @@ void Foam::demCloud::writeVtp() const
 }
 
 
+void Foam::demCloud::writeNetwork() const
+{
+    if (!network_ || !Pstream::master())
+    {
+        return;
+    }
+    const List<dem::contactForce> contacts(dem_->contacts());
+    const dem::bodies& state = dem_->state();
+
+    // A line from centre to centre, or to the wall. Both of its ends have its
+    // values: a tube can have its width from them
+    const label n = 2*contacts.size();
+    pointField ends(n);
+    scalarField normal(n), tangential(n);
+    vectorField force(n);
+    labelField body(n), other(n);
+    for (label k = 0; k < n; ++k)
+    {
+        const dem::contactForce& c = contacts[k/2];
+        ends[k] = state.x[c.a] - (k % 2 ? c.branch : vector(Zero));
+        normal[k] = c.normal();
+        tangential[k] = c.tangential();
+        force[k] = c.force;
+        body[k] = state.id[c.a];
+        other[k] = c.b < 0 ? c.b : state.id[c.b];
+    }
+    vtpFile out(ends, true);
+    out.write("normalForce", normal);
+    out.write("tangentialForce", tangential);
+    out.write("force", force);
+    out.write("body", body);
+    out.write("other", other);
+
+    const Time& time = mesh_.time();
+    const fileName directory
+    (
+        time.rootPath()/time.globalCaseName()/"postProcessing/demCloud"
+    );
+    out.save(directory/time.timeName()/"contactNetwork.vtp");
+    vtpFile::saveSeries(directory, "contactNetwork", time.value());
+}
+
+
 void Foam::demCloud::finishWriting()
 {
     if (written_.valid())
@@ -172,6 +215,7 @@ bool Foam::demCloud::writeObject(STYX_WRITE_OBJECT_PARAMETERS) const
     writeBodies();
     writeSpheres();
     writeVtp();
+    writeNetwork();
     return true;
 }
 

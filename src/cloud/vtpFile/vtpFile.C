@@ -138,9 +138,10 @@ void Foam::vtpFile::add(const array& a)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::vtpFile::vtpFile(const UList<point>& points)
+Foam::vtpFile::vtpFile(const UList<point>& points, const bool lines)
 :
     nPoints_(points.size()),
+    nTogether_(lines ? 2 : 1),
     points_(fromVectors("Points", points))
 {}
 
@@ -160,7 +161,9 @@ void Foam::vtpFile::save(const fileName& file) const
           + "\" format=\"appended\" offset=\"" + std::to_string(offset)
           + "\"/>\n";
     };
-    const std::string n(std::to_string(nPoints_));
+    const label nCells = nPoints_/nTogether_;
+    const bool lines = nTogether_ == 2;
+    const std::string n(std::to_string(nCells));
 
     std::string xml
     (
@@ -168,8 +171,10 @@ void Foam::vtpFile::save(const fileName& file) const
         "<VTKFile type=\"PolyData\" version=\"1.0\""
         " byte_order=\"LittleEndian\" header_type=\"UInt64\""
         " compressor=\"vtkZLibDataCompressor\">\n<PolyData>\n"
-        "<Piece NumberOfPoints=\"" + n + "\" NumberOfVerts=\"" + n
-      + "\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n"
+        "<Piece NumberOfPoints=\"" + std::to_string(nPoints_)
+      + "\" NumberOfVerts=\"" + (lines ? "0" : n)
+      + "\" NumberOfLines=\"" + (lines ? n : "0")
+      + "\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n"
         "<PointData>\n"
     );
     for (const array& a : data_)
@@ -178,17 +183,17 @@ void Foam::vtpFile::save(const fileName& file) const
     }
     xml += "</PointData>\n<Points>\n" + entry(points_);
 
-    // Each point is a vertex
-    labelList number(nPoints_), end(nPoints_);
-    forAll(number, i)
+    // Each point is a vertex, or each two are a line
+    labelList end(nCells);
+    forAll(end, i)
     {
-        number[i] = i;
-        end[i] = i + 1;
+        end[i] = nTogether_*(i + 1);
     }
-    xml += "</Points>\n<Verts>\n";
-    xml += entry(fromLabels("connectivity", number));
+    const std::string kind(lines ? "Lines" : "Verts");
+    xml += "</Points>\n<" + kind + ">\n";
+    xml += entry(fromLabels("connectivity", identity(nPoints_)));
     xml += entry(fromLabels("offsets", end));
-    xml += "</Verts>\n</Piece>\n</PolyData>\n";
+    xml += "</" + kind + ">\n</Piece>\n</PolyData>\n";
 
     saveText
     (

@@ -217,6 +217,7 @@ Foam::vtpFile::vtpFile(const fileName& file)
         in.stop("it has no Piece");
     }
     nPoints_ = in.number(piece, "NumberOfPoints");
+    nTogether_ = in.number(piece, "NumberOfLines") > 0 ? 2 : 1;
 
     bool found = false;
     for
@@ -241,7 +242,8 @@ Foam::vtpFile::vtpFile(const fileName& file)
         {
             in.stop("the array " + a.name + " is of an unknown kind");
         }
-        a.bytes = in.bytes(tag, 8*a.nComponents*nPoints_);
+        const label n = a.name == "offsets" ? nPoints_/nTogether_ : nPoints_;
+        a.bytes = in.bytes(tag, 8*a.nComponents*n);
         if (a.name == "Points" && a.nComponents == 3)
         {
             points_ = a;

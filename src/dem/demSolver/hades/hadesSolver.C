@@ -294,6 +294,7 @@ void Foam::dem::hadesSolver::advance(const scalar t0, const scalar t1)
 
     // The forces that are held have changed, perhaps the velocities too
     walls_.beginAdvance(t0, t1);
+    list_.start();
     begin(t0, t1);
 
     scalar t = t0;
@@ -324,6 +325,7 @@ void Foam::dem::hadesSolver::advance(const scalar t0, const scalar t1)
         report_.overlap = max(report_.overlap, summary_.overlap);
     }
 
+    list_.stop();
     crossSeams(0);
     unpack();
     checkFinite(t1);

@@ -13,16 +13,55 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+Foam::string Foam::dem::hadesSolver::needsAll(const demInput& input)
+{
+    const dictionary& dict = input.dict;
+    if (!integrator::New(dict)->leaps())
+    {
+        return "the integrator has stages";
+    }
+    if
+    (
+        !input.restart
+     && dict.getOrDefault<word>("start", "asGiven") == "relax"
+    )
+    {
+        return "start relax moves them together";
+    }
+    if (dict.subOrEmptyDict("output").found("contactNetwork"))
+    {
+        return "the contact network is one of all";
+    }
+    for (const entry& e : dict.subOrEmptyDict("meters"))
+    {
+        if
+        (
+            e.isDict()
+         && e.dict().getOrDefault<word>("type", word::null) == "stress"
+        )
+        {
+            return "the meter " + e.keyword() + " needs the forces of all";
+        }
+    }
+    const word neighbours = dict.subOrEmptyDict("neighbours")
+        .getOrDefault<word>("type", "verletList");
+    return
+        neighbours == "verletList"
+      ? string()
+      : "neighbours " + neighbours + " makes its lists when it likes";
+}
+
+
 bool Foam::dem::hadesSolver::canShare(const demInput& input)
 {
     if (!Pstream::parRun() || !input.owner)
     {
         return false;
     }
-    if (!integrator::New(input.dict)->leaps())
+    const string why = needsAll(input);
+    if (!why.empty())
     {
-        Info<< "    every rank has all bodies, as the integrator has stages"
-            << endl;
+        Info<< "    every rank has all bodies, as " << why.c_str() << endl;
         return false;
     }
     return true;

@@ -144,7 +144,7 @@ void Foam::dem::overlapRelaxation::renewList()
     }
     packed_.setPositions(state_);
     list_.build(packed_);
-    walls_.build(packed_, list_.skin());
+    walls_.build(packed_, list_.allowed(), 0.5*list_.skin());
 }
 
 

@@ -270,9 +270,22 @@ Foam::dem::verletList::verletList(const dictionary& dict)
 :
     verletList(0.1)
 {
-    checkKeys(dict, {"type", "skin"});
-    getChoice(dict, "type", {"verletList"});
-    relativeSkin_ = getPositive(dict, "skin", 0.1);
+    const word type =
+        getChoice(dict, "type", {"verletList", "linkCell", "auto"});
+    if (type == "verletList")
+    {
+        checkKeys(dict, {"type", "skin"});
+        relativeSkin_ = getPositive(dict, "skin", 0.1);
+        return;
+    }
+
+    checkKeys(dict, {"type"});
+    relativeSkin_ = 0;
+    if (type == "auto")
+    {
+        tuner_.reset(new skinTuner());
+        relativeSkin_ = tuner_->skin();
+    }
 }
 
 
@@ -339,6 +352,7 @@ bool Foam::dem::verletList::outdated(const packedBodies& state)
 {
     return
         !valid_
+     || renew_
      || far_.x.size() != state.nSpheres()
      || far_.over(state);
 }
@@ -372,7 +386,12 @@ void Foam::dem::verletList::build(const packedBodies& state)
     nearSkin_ = max(min(nearSkin_, skin_), 0.1*skin_);
     setNear(state);
     valid_ = true;
+    renew_ = false;
     ++nBuilds_;
+    if (tuner_)
+    {
+        tuner_->built();
+    }
 }
 
 
@@ -385,6 +404,11 @@ void Foam::dem::verletList::refresh(const packedBodies& state)
     }
     ++nSweeps_;
     ++nFarSweeps_;
+    if (tuner_ && tuner_->stepped())
+    {
+        renew_ = true;
+        relativeSkin_ = tuner_->skin();
+    }
 }
 
 
