@@ -145,6 +145,7 @@ Foam::List<Foam::dem::contactForce> Foam::dem::contactForces
     blocks.set(histories, 2*nPairs + nTouches);
 
     spheres.give(data, m);
+    data.fetches = false;
     data.dt = 0;
     data.ahead = 0;
     blocks.give(data, false);
