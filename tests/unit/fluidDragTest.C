@@ -309,4 +309,57 @@ TEST(fluidDrags, stiff)
 }
 
 
+// What is taken down of the drag is the change of the velocity without weight
+TEST(fluidDrags, recorded)
+{
+    for (const char* name : {"stormerVerlet", "symplecticEuler",
+        "explicitEuler", "rk4", "implicitTrapezoidal"})
+    {
+        Foam::PtrList<shape> shapes(1);
+        shapes.set(0, new shape(shape::sphere("ball", 1)));
+        bodies state(shapes);
+        newBody n;
+        n.shapeI = 0;
+        n.materialI = 0;
+        n.density = 1;
+        n.position = Foam::Zero;
+        n.velocity = vector(0.3, 0, -1);
+        state.append(n);
+        const auto sn = law("schillerNaumann");
+        const oneDrag drag
+        (
+            [&](const scalar slip) { return sn->factor(slip, 1); },
+            vector(1, -2, 0.5)
+        );
+        state.drag = &drag;
+        state.recordDrag = true;
+
+        const auto method = integrator::New
+        (
+            dictionaryOf("integrator " + std::string(name) + ";")
+        );
+        const vector a(0, 0.2, -3);
+        const scalar dt = 0.1;
+        const auto force = [&](const scalar, const scalar)
+        {
+            state.force[0] = state.mass[0]*a;
+            state.torque[0] = Foam::Zero;
+        };
+        scalar worst = 0;
+        for (label step = 0; step < 20; ++step)
+        {
+            const vector before = state.v[0];
+            force(0, 0);
+            moveBodies(*method, state, step*dt, dt, force);
+            worst = std::max
+            (
+                worst,
+                Foam::mag(state.v[0] - before - dt*a - state.dragGiven[0])
+            );
+        }
+        figure("fluidDrag_recorded_" + std::string(name), worst, -noBar,
+               1e-12, "m/s", "change of velocity less that by weight");
+    }
+}
+
 // ************************************************************************* //

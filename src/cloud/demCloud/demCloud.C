@@ -72,6 +72,10 @@ void Foam::demCloud::meshMoved()
     bins_.update();
     exits_.update();
     patches_.checkMotion();
+    if (exchanged_.valid())
+    {
+        exchanged_->meshChanged();
+    }
     projected_ = false;
     meshMoved_ = true;
 }
@@ -158,8 +162,10 @@ void Foam::demCloud::samplePoints()
     points_->sample
     (
         U().oldTime(),
-        nullptr,
-        coupling::averagedEquations::none
+        exchanged_.valid() ? &exchanged_->alpha() : nullptr,
+        exchanged_.valid()
+      ? exchanged_->equations()
+      : coupling::averagedEquations::none
     );
     if (interval_.valid())
     {
@@ -226,6 +232,12 @@ void Foam::demCloud::beginStep()
     }
     noteExchange();
 
+    if (exchanged_.valid())
+    {
+        ledger::entry e(ledger_, "bodies on the mesh (void fraction)");
+        exchanged_->project();
+    }
+
     // Bodies that stay in cells that stay are found once
     if (immersed_.valid() && (dem_->moves() || !projected_))
     {
@@ -238,11 +250,17 @@ void Foam::demCloud::beginStep()
 
 void Foam::demCloud::addForcing(fvMatrix<vector>& eqn, const word& density)
 {
-    if (immersed_.valid())
+    if (immersed_.valid() || exchanged_.valid())
     {
         rho_->checkEquation(density);
     }
     beginStep();
+
+    if (exchanged_.valid())
+    {
+        ledger::entry e(ledger_, "exchange with the fluid");
+        exchanged_->addTo(eqn);
+    }
 
     if (immersed_.valid())
     {
@@ -275,8 +293,27 @@ void Foam::demCloud::correct(const volVectorField& U)
     // The mesh asks for it once the step is over, what is written sooner
     if (mesh_.time().writeTime())
     {
+        finishExchange(U);
         markInterface();
     }
+}
+
+
+void Foam::demCloud::finishExchange(const volVectorField& U)
+{
+    if (!exchanged_.valid())
+    {
+        return;
+    }
+
+    ledger::entry e(ledger_, "exchange with the fluid");
+    exchanged_->finish(U);
+    exchange_.active = true;
+    exchange_.toBodies = exchanged_->toBodies();
+    exchange_.toFluid = exchanged_->toFluid(U);
+    exchange_.volumeError = exchanged_->volumeError();
+    exchange_.leastAlpha = exchanged_->leastAlpha();
+    exchange_.excess = exchanged_->excess().excess;
 }
 
 
@@ -287,6 +324,10 @@ void Foam::demCloud::endStep()
         return;
     }
     open_ = false;
+    if (exchanged_.valid())
+    {
+        finishExchange(U());
+    }
     markInterface();
 
     if (immersed_.valid())
@@ -327,6 +368,23 @@ void Foam::demCloud::autoMap(const mapPolyMesh&)
     exits_.update();
     projected_ = false;
     meshChanged_ = true;
+    if (exchanged_.valid())
+    {
+        exchanged_->meshChanged();
+    }
+}
+
+
+const Foam::coupling::momentumExchange& Foam::demCloud::exchanged() const
+{
+    if (!exchanged_.valid())
+    {
+        FatalIOErrorInFunction(dict_)
+            << "This solver is for bodies that are points to the fluid and"
+            << " act on it: coupling twoWay, forces, voidFraction."
+            << exit(FatalIOError);
+    }
+    return *exchanged_;
 }
 
 

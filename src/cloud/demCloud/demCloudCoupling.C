@@ -25,10 +25,10 @@ void Foam::demCloud::checkCoupling(const fluidAccess access) const
         }
     };
 
-    const bool points = coupling_ == "fluidToParticles";
+    const bool points = pointBodies();
     if (access == fluidAccess::look)
     {
-        if (coupling_ != "none" && !points)
+        if (coupling_ != "none" && coupling_ != "fluidToParticles")
         {
             refuse
             (
@@ -48,13 +48,23 @@ void Foam::demCloud::checkCoupling(const fluidAccess access) const
     {
         const string why
         (
-            "does not go with coupling fluidToParticles, in which bodies are"
-            " points to the fluid; take it out"
+            "does not go with coupling fluidToParticles, or twoWay with"
+            " forces, in which bodies are points to the fluid; take it out"
         );
         refuse("immersed", why);
         refuse("interface", why);
     }
-    else if (coupling_ != "none")
+    if (coupling_ != "none" && !(points && coupling_ == "twoWay"))
+    {
+        const string why
+        (
+            "belongs to coupling twoWay with forces, in which the fluid feels"
+            " bodies that are points to it; take it out"
+        );
+        refuse("voidFraction", why);
+        refuse("momentumExchange", why);
+    }
+    if (coupling_ != "none" && !points)
     {
         refuse
         (
@@ -76,14 +86,14 @@ void Foam::demCloud::readCoupling(const fluidAccess access)
         dem::checkKeys
         (
             fluid,
-            coupling_ == "fluidToParticles"
+            pointBodies()
           ? wordList({"rho", "nu"})
           : wordList({"rho"})
         );
         rho_.reset(new coupling::fluidDensity(mesh_.thisDb(), fluid));
     }
 
-    if (coupling_ == "fluidToParticles")
+    if (pointBodies())
     {
         points_.reset
         (
@@ -101,6 +111,22 @@ void Foam::demCloud::readCoupling(const fluidAccess access)
 
         // From here on the solver keeps the old time level
         U().oldTime();
+        if (coupling_ == "twoWay")
+        {
+            exchanged_.reset
+            (
+                new coupling::momentumExchange
+                (
+                    mesh_,
+                    bins_,
+                    *dem_,
+                    *rho_,
+                    *points_,
+                    dict_,
+                    access == fluidAccess::share
+                )
+            );
+        }
     }
     else if (coupling_ != "none")
     {

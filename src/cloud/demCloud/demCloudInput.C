@@ -69,7 +69,8 @@ void Foam::demCloud::checkInput() const
             "coupling", "demSolver", "fluid", "materials", "pairs", "shapes",
             "bodies", "generators", "sinks", "meters", "contact", "walls",
             "integrator", "stepControl", "neighbours", "immersed", "forces",
-            "interface", "couplingInterval", "output", "start"
+            "voidFraction", "momentumExchange", "interface",
+            "couplingInterval", "output", "start"
         }
     );
 }
@@ -285,7 +286,7 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const fluidAccess access)
     patches_.check
     (
         *dem_,
-        coupling_ == "particlesToFluid" || coupling_ == "twoWay"
+        coupling_ != "none" && !pointBodies()
     );
     meters_.reset
     (
@@ -320,6 +321,10 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const fluidAccess access)
     if (!goesOn)
     {
         startForces(0);
+    }
+    if (exchanged_.valid())
+    {
+        exchanged_->start();
     }
 
     if (access == fluidAccess::act && !points_.valid())

@@ -124,8 +124,20 @@ void Foam::ledger::line
 
         Info<< ", to bodies " << coupled.toBodies << " N s, to fluid "
             << coupled.toFluid << " N s (mismatch " << mismatch
-            << "), volume error " << 100*coupled.volumeError
-            << " %, slip " << coupled.slip << " m/s";
+            << "), volume error " << 100*coupled.volumeError << " %";
+        if (coupled.leastAlpha < 0)
+        {
+            Info<< ", slip " << coupled.slip << " m/s";
+        }
+        else
+        {
+            Info<< ", void fraction from " << coupled.leastAlpha;
+        }
+        if (coupled.excess > 0)
+        {
+            Info<< ", " << coupled.excess
+                << " m3 above closest packing spread";
+        }
     }
 
     if (coupled.Re >= 0)

@@ -123,6 +123,7 @@ void Foam::dem::packedBodies::pack(const bodies& state, const vector& g)
     nSpheres_ = state.nSpheres();
     g_ = g;
     drag_ = state.drag;
+    given_.assign(drag_ && state.recordDrag ? nBodies_ : 0, Zero);
     pending_ = 0;
     motion_ = motion();
 
@@ -200,6 +201,16 @@ void Foam::dem::packedBodies::unpackPositions(bodies& state) const
 void Foam::dem::packedBodies::unpack(bodies& state) const
 {
     unpackPositions(state);
+    state.dragGiven.setSize(label(given_.size()));
+
+    const auto end = [&](const label b, const vector& v, const vector& a)
+    {
+        state.v[b] = kicked(b, v, a, pending_, 0);
+        if (!given_.empty())
+        {
+            state.dragGiven[b] = given_[b] + state.v[b] - v - pending_*a;
+        }
+    };
 
     const label n = nSingles();
     for (label k = 0; k < n; ++k)
@@ -213,8 +224,7 @@ void Foam::dem::packedBodies::unpack(bodies& state) const
 
         state.force[b] = f + state.mass[b]*g_;
         state.torque[b] = r*t;
-        state.v[b] =
-            kicked(b, vectorOf(now_.v(s)), g_ + mInverse*f, pending_, 0);
+        end(b, vectorOf(now_.v(s)), g_ + mInverse*f);
         const scalar turn = quadRecords::surface*pending_*mInverse;
         state.omega[b] = (vectorOf(now_.w[s]) + turn*t)/r;
         state.L[b] = state.inertia[b].x()*state.omega[b];
@@ -232,7 +242,7 @@ void Foam::dem::packedBodies::unpack(bodies& state) const
 
         state.force[c.body] = F + c.mass*g_;
         state.torque[c.body] = T;
-        state.v[c.body] = kicked(c.body, c.v, g_ + F/c.mass, pending_, 0);
+        end(c.body, c.v, g_ + F/c.mass);
         state.L[c.body] = c.L + pending_*T;
         state.omega[c.body] =
             angularVelocity(c.q, state.L[c.body], c.inertia);

@@ -62,6 +62,24 @@ Foam::vector Foam::dem::packedBodies::kicked
 }
 
 
+Foam::vector Foam::dem::packedBodies::driven
+(
+    const label b,
+    const vector& v,
+    const vector& a,
+    const scalar pending,
+    const scalar h
+)
+{
+    const vector now = kicked(b, v, a, pending, h);
+    if (!given_.empty())
+    {
+        given_[b] += now - v - (pending + h)*a;
+    }
+    return now;
+}
+
+
 void Foam::dem::packedBodies::leapSingles
 (
     const records& from,
@@ -79,7 +97,7 @@ void Foam::dem::packedBodies::leapSingles
             const scalar mInverse = from.x(s).w;
             now_.v(s) = record
             (
-                kicked
+                driven
                 (
                     singleBody(k),
                     vectorOf(v),
@@ -146,7 +164,7 @@ void Foam::dem::packedBodies::leapClumps
         collect(from, k, c, F, T);
 
         const vector a = g_ + F/c.mass;
-        c.v = kicked(c.body, c.v, a, pending_, 0.5*dt);
+        c.v = driven(c.body, c.v, a, pending_, 0.5*dt);
         c.L += (pending_ + 0.5*dt)*T;
         c.x += dt*c.v;
 
@@ -190,6 +208,7 @@ void Foam::dem::packedBodies::leap(const scalar dt, const bool trial)
         }
         std::swap(clumps_, oldClumps_);
         clumps_.resize(oldClumps_.size());
+        oldGiven_ = given_;
         leapSingles(old_, dt);
         leapClumps(old_, oldClumps_, dt);
 
@@ -215,6 +234,7 @@ void Foam::dem::packedBodies::undo()
 {
     now_.swap(old_);
     std::swap(clumps_, oldClumps_);
+    std::swap(given_, oldGiven_);
     pending_ = oldPending_;
 }
 

@@ -40,6 +40,7 @@ void Foam::dem::packedBodies::keep()
 {
     old_ = now_;
     oldClumps_ = clumps_;
+    oldGiven_ = given_;
     oldPending_ = pending_;
     motion_ = motion();
 }
@@ -89,7 +90,7 @@ void Foam::dem::packedBodies::kick(const scalar h)
         const scalar mInverse = now_.x(s).w;
         const vector a = g_ + mInverse*vectorOf(now_.f(s));
         const vector turn = surface*h*mInverse*vectorOf(now_.t(s));
-        const vector v = kicked(b, vectorOf(now_.v(s)), a, 0, h);
+        const vector v = driven(b, vectorOf(now_.v(s)), a, 0, h);
         now_.v(s) = record(v, now_.v(s).w);
         now_.w[s] = record(vectorOf(now_.w[s]) + turn, now_.w[s].w);
         note(b, a);
@@ -101,7 +102,7 @@ void Foam::dem::packedBodies::kick(const scalar h)
         vector F, T;
         collect(now_, k, c, F, T);
         const vector a = g_ + F/c.mass;
-        c.v = kicked(c.body, c.v, a, 0, h);
+        c.v = driven(c.body, c.v, a, 0, h);
         c.L += h*T;
         place(c);
         note(c.body, a);
@@ -134,6 +135,10 @@ Foam::dem::packedBodies::slope Foam::dem::packedBodies::slopes() const
         const vector omega = angularVelocity(c.q, c.L, c.inertia);
         all.clumps[k].of = {c.v, acceleration(c.body), T};
         all.clumps[k].q = 0.5*(quaternion(omega)*c.q);
+    }
+    for (std::size_t b = 0; b < given_.size(); ++b)
+    {
+        all.drag.push_back(drag_->acceleration(b, velocity(b)));
     }
     return all;
 }
@@ -178,6 +183,14 @@ void Foam::dem::packedBodies::moveBy
         clumps_[k] = c;
         place(clumps_[k]);
         note(c.body, terms.back().second->clumps[k].of.v);
+    }
+    for (std::size_t b = 0; b < given_.size(); ++b)
+    {
+        given_[b] = oldGiven_[b];
+        for (const auto& term : terms)
+        {
+            given_[b] += term.first*term.second->drag[b];
+        }
     }
     clearForces();
 }

@@ -1,0 +1,211 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "averagedFluid.H"
+#include "findRefCell.H"
+#include "fvc.H"
+#include "fvm.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::IOobject Foam::averagedFluid::fieldIO
+(
+    const word& name,
+    const fvMesh& mesh
+)
+{
+    return IOobject
+    (
+        name,
+        mesh.time().timeName(),
+        mesh,
+        IOobject::MUST_READ,
+        IOobject::AUTO_WRITE
+    );
+}
+
+
+Foam::tmp<Foam::volScalarField> Foam::averagedFluid::gamma() const
+{
+    if (isA())
+    {
+        return alpha();
+    }
+    return tmp<volScalarField>
+    (
+        new volScalarField
+        (
+            IOobject("one", mesh_.time().timeName(), mesh_),
+            mesh_,
+            dimensionedScalar("one", dimless, 1)
+        )
+    );
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::averagedFluid::gammaf() const
+{
+    return fvc::interpolate(gamma(), "interpolate(voidFraction)");
+}
+
+
+Foam::scalar Foam::averagedFluid::courantNumber() const
+{
+    const scalarField outflow
+    (
+        fvc::surfaceSum(mag(phi_))().primitiveField()/mesh_.V().field()
+    );
+    return 0.5*gMax(outflow)*mesh_.time().deltaTValue();
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::averagedFluid::averagedFluid(dynamicFvMesh& mesh)
+:
+    mesh_(mesh),
+    pimple_(mesh),
+    p_(fieldIO("p", mesh), mesh),
+    U_(fieldIO("U", mesh), mesh),
+    phi_
+    (
+        IOobject
+        (
+            "phi",
+            mesh.time().timeName(),
+            mesh,
+            IOobject::READ_IF_PRESENT,
+            IOobject::AUTO_WRITE
+        ),
+        fvc::flux(U_)
+    ),
+    transport_(U_, phi_),
+    cloud_(mesh, demCloud::fluidAccess::share),
+    alphaPhi_
+    (
+        "alphaPhi",
+        fvc::interpolate(alpha(), "interpolate(voidFraction)")*phi_
+    ),
+    pRefCell_(0),
+    pRefValue_(0),
+    cumulativeError_(0)
+{
+    setRefCell(p_, pimple_.dict(), pRefCell_, pRefValue_);
+    mesh.setFluxRequired(p_.name());
+    turbulence_ = turbulenceModel::New
+    (
+        alpha(),
+        U_,
+        alphaPhi_,
+        phi_,
+        transport_
+    );
+    turbulence_->validate();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::averagedFluid::setDeltaT()
+{
+    Time& time = const_cast<Time&>(mesh_.time());
+    const dictionary& control = time.controlDict();
+    const scalar Co = courantNumber();
+    Info<< "Courant number max: " << Co << endl;
+    if (!control.getOrDefault("adjustTimeStep", false))
+    {
+        return;
+    }
+
+    // A step grows by a fifth at most
+    const scalar now = time.deltaTValue();
+    const scalar byFlow = control.get<scalar>("maxCo")/(Co + SMALL)*now;
+    const scalar byUser = control.getOrDefault<scalar>("maxDeltaT", GREAT);
+    const scalar byBodies = cloud_.maxDeltaT();
+    time.setDeltaT(min(min(min(byFlow, byUser), byBodies), 1.2*now));
+    Info<< "deltaT = " << time.deltaTValue() << endl;
+}
+
+
+void Foam::averagedFluid::updateMesh()
+{
+    mesh_.update();
+    if (mesh_.changing())
+    {
+        // Where faces are new, the flux of the pressure's last solution is
+        // not there; that of the step follows from its own
+        alphaPhi_ =
+            fvc::interpolate(alpha(), "interpolate(voidFraction)")*phi_;
+    }
+}
+
+
+void Foam::averagedFluid::advanceBodies()
+{
+    cloud_.beginStep();
+    alphaPhi_ = fvc::interpolate(alpha(), "interpolate(voidFraction)")*phi_;
+}
+
+
+void Foam::averagedFluid::predictMomentum()
+{
+    fvVectorMatrix exchange
+    (
+        U_,
+        dimVelocity/dimTime*dimVolume
+    );
+    cloud_.addForcing(exchange);
+
+    const volScalarField& a = alpha();
+    UEqn_.reset
+    (
+        new fvVectorMatrix
+        (
+            fvm::ddt(a, U_)
+          + fvm::div(alphaPhi_, U_)
+          - fvm::Sp(fvc::ddt(a) + fvc::div(alphaPhi_), U_)
+          + turbulence_->divDevRhoReff(U_)
+         ==
+            exchange
+        )
+    );
+    UEqn_->relax();
+
+    if (pimple_.momentumPredictor())
+    {
+        solve(*UEqn_ == -gamma()*fvc::grad(p_));
+    }
+}
+
+
+void Foam::averagedFluid::correctTurbulence()
+{
+    if (pimple_.turbCorr())
+    {
+        transport_.correct();
+        turbulence_->correct();
+    }
+}
+
+
+void Foam::averagedFluid::report()
+{
+    reportContinuity();
+    cloud_.endStep();
+}
+
+
+void Foam::averagedFluid::close()
+{
+    cloud_.close();
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,137 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "ballCells.H"
+#include "rankSum.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::labelList Foam::coupling::ballCells::cells
+(
+    const dem::bodies& state
+) const
+{
+    const label n = state.nSpheres();
+    labelList cell(n);
+    forAll(cell, s)
+    {
+        cell[s] = bins_.find(state.sphereX[s]);
+    }
+
+    // The first rank that has it; the others let go
+    List<scalar> first(n, -GREAT);
+    forAll(cell, s)
+    {
+        if (cell[s] >= 0)
+        {
+            first[s] = -Pstream::myProcNo();
+        }
+    }
+    dem::maxOverRanks(first);
+
+    DynamicList<label> lost;
+    forAll(cell, s)
+    {
+        if (first[s] == -GREAT)
+        {
+            lost.append(s);
+        }
+        else if (first[s] != -Pstream::myProcNo())
+        {
+            cell[s] = -1;
+        }
+    }
+    if (lost.empty())
+    {
+        return cell;
+    }
+
+    List<scalar> near(lost.size());
+    forAll(lost, k)
+    {
+        const point& x = state.sphereX[lost[k]];
+        const label c = bins_.nearest(x, mesh_.bounds().mag());
+        cell[lost[k]] = c;
+        near[k] = c < 0 ? -GREAT : -mag(mesh_.cellCentres()[c] - x);
+    }
+    List<scalar> nearest(near);
+    dem::maxOverRanks(nearest);
+    List<scalar> winner(lost.size(), -GREAT);
+    forAll(lost, k)
+    {
+        if (near[k] == nearest[k])
+        {
+            winner[k] = -Pstream::myProcNo();
+        }
+    }
+    dem::maxOverRanks(winner);
+    forAll(lost, k)
+    {
+        if (winner[k] != -Pstream::myProcNo())
+        {
+            cell[lost[k]] = -1;
+        }
+    }
+    return cell;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::List<Foam::coupling::cellBall> Foam::coupling::ballCells::find
+(
+    const dem::bodies& state
+)
+{
+    const labelList cell(cells(state));
+
+    body_.clear();
+    share_.clear();
+    DynamicList<cellBall> balls;
+    forAll(state.x, b)
+    {
+        const label first = state.firstSphere[b];
+        const label last = state.firstSphere[b + 1];
+        scalar all = 0;
+        for (label s = first; s < last; ++s)
+        {
+            all += pow3(state.sphereR[s]);
+        }
+        for (label s = first; s < last; ++s)
+        {
+            if (cell[s] >= 0)
+            {
+                body_.append(b);
+                share_.append(pow3(state.sphereR[s])/all);
+                balls.append({cell[s], state.sphereX[s], state.sphereR[s]});
+            }
+        }
+    }
+    return List<cellBall>(std::move(balls));
+}
+
+
+Foam::List<Foam::vector> Foam::coupling::ballCells::mean
+(
+    const UList<vector>& q,
+    const label nBodies
+) const
+{
+    List<vector> ofBody(nBodies, vector(Zero));
+    forAll(body_, i)
+    {
+        ofBody[body_[i]] += share_[i]*q[i];
+    }
+    dem::sumOverRanks(ofBody);
+    return ofBody;
+}
+
+
+// ************************************************************************* //

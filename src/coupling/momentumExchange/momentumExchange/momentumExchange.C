@@ -1,0 +1,295 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "momentumExchange.H"
+#include "allowedKeys.H"
+#include "checkedEntry.H"
+#include "zeroGradientFvPatchFields.H"
+
+#include <cmath>
+
+// * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- The dictionary of a name, or an error that it is missing
+const Foam::dictionary& exchangeDict(const Foam::dictionary& dict)
+{
+    const Foam::word name("momentumExchange");
+    return
+        dict.found(name) ? dict.subDict(name) : Foam::dictionary::null;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::coupling::momentumExchange::place()
+{
+    const dem::bodies& state = dem_.state();
+    spread_->place(ballCells_.find(state));
+
+    List<scalar> volume(state.size());
+    forAll(volume, b)
+    {
+        volume[b] = state.shapeOf(b).volume();
+    }
+    const List<scalar> ofBalls(ballCells_.share(volume));
+    scalarField solids(spread_->spread(ofBalls));
+    excess_ = packing_.apply(mesh_, solids);
+    alpha_.primitiveFieldRef() = 1 - solids;
+    alpha_.correctBoundaryConditions();
+
+    // What there is, and what a sum over the field finds
+    const scalar there = returnReduce(sum(ofBalls), sumOp<scalar>());
+    const scalar found =
+        gSum((1 - alpha_.primitiveField())*mesh_.V().field());
+    volumeError_ = there > 0 ? mag(found/there - 1) : 0;
+}
+
+
+void Foam::coupling::momentumExchange::findImpulses()
+{
+    const dem::bodies& state = dem_.state();
+    const scalar dt = mesh_.time().deltaTValue();
+    const label n = state.size();
+    J_.setSize(n);
+    response_.setSize(n);
+    v_ = state.v;
+    rest_ = List<vector>(n, vector(Zero));
+
+    for (label b = 0; b < n; ++b)
+    {
+        const vector slip = forces_.fluidVelocity(b) - state.v[b];
+        const scalar k = state.drag ? forces_.rate(b, mag(slip)) : 0;
+        const scalar m = state.mass[b];
+        J_[b] = dt*forces_.lostByFluid(b);
+        if (dem_.moves())
+        {
+            response_[b] = -theta_*m*std::expm1(-k*dt);
+            J_[b] += b < state.dragGiven.size()
+              ? m*state.dragGiven[b]
+              : vector(Zero);
+        }
+        else
+        {
+            response_[b] = theta_*m*k*dt;
+            J_[b] += m*k*dt*slip;
+        }
+    }
+}
+
+
+void Foam::coupling::momentumExchange::checkDilute()
+{
+    const scalar least = leastAlpha();
+    if (equations_ != averagedEquations::none || warned_ || least > 0.99)
+    {
+        return;
+    }
+    warned_ = true;
+    WarningInFunction
+        << "The void fraction has come down to " << least
+        << ", but the equations of this solver have none: they are right for"
+        << " bodies of up to 1 % of the volume." << nl
+        << "    styxFoam solves the averaged equations." << endl;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::coupling::momentumExchange::momentumExchange
+(
+    const fvMesh& mesh,
+    const cellBins& bins,
+    dem::demSolver& dem,
+    const fluidDensity& rho,
+    exchangedForces& forces,
+    const dictionary& dict,
+    const bool averaged
+)
+:
+    mesh_(mesh),
+    dem_(dem),
+    rho_(rho),
+    forces_(forces),
+    spread_
+    (
+        voidFraction::New
+        (
+            mesh,
+            bins,
+            dem.period(),
+            dict.subDict("voidFraction")
+        )
+    ),
+    packing_(dict.subDict("voidFraction")),
+    ballCells_(mesh, bins),
+    equations_(averagedEquations::none),
+    theta_(1),
+    alpha_
+    (
+        IOobject
+        (
+            "voidFraction",
+            mesh.time().timeName(),
+            mesh,
+            IOobject::NO_READ,
+            IOobject::AUTO_WRITE
+        ),
+        mesh,
+        dimensionedScalar("one", dimless, 1),
+        zeroGradientFvPatchScalarField::typeName
+    ),
+    volumeError_(0),
+    warned_(false)
+{
+    const dictionary& own = exchangeDict(dict);
+    dem::checkKeys(own, {"equations", "drag"});
+    const word set(dem::getChoice(own, "equations", {"A", "B"}, "A"));
+    if (averaged)
+    {
+        equations_ = set == "A" ? averagedEquations::A : averagedEquations::B;
+    }
+    const word drag
+    (
+        dem::getChoice
+        (
+            own,
+            "drag",
+            {"implicit", "split", "explicit"},
+            "implicit"
+        )
+    );
+    theta_ = drag == "implicit" ? 1 : drag == "split" ? 0.5 : 0;
+    Info<< "    void fraction " << spread_->type() << ", drag " << drag
+        << " in the fluid, equations "
+        << (averaged ? set : word("without a void fraction")) << endl;
+
+    dem_.state().recordDrag = true;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::coupling::momentumExchange::start()
+{
+    place();
+    alpha_.oldTime();
+}
+
+
+void Foam::coupling::momentumExchange::sample(const volVectorField& U)
+{
+    forces_.sample(U, &alpha_, equations_);
+}
+
+
+void Foam::coupling::momentumExchange::project()
+{
+    // The void fraction of before is the old one of the fluid's equations
+    alpha_.oldTime();
+    place();
+    findImpulses();
+    F_ = spread_->spread(ballCells_.share(J_))
+       /mesh_.time().deltaTValue();
+    K_ = spread_->spread(ballCells_.share(response_))
+       /mesh_.time().deltaTValue();
+    checkDilute();
+}
+
+
+void Foam::coupling::momentumExchange::addTo(fvMatrix<vector>& eqn) const
+{
+    const vectorField& old = eqn.psi().oldTime().primitiveField();
+    const scalarField& V = mesh_.V();
+    const scalar density = rho_.isField() ? 1 : rho_.uniform();
+
+    // The solver subtracts eqn from its own equation
+    forAll(K_, c)
+    {
+        const scalar KV = K_[c]*V[c]/density;
+        eqn.diag()[c] -= KV;
+        eqn.source()[c] -= KV*old[c] - F_[c]*V[c]/density;
+    }
+}
+
+
+void Foam::coupling::momentumExchange::finish(const volVectorField& U)
+{
+    dem::bodies& state = dem_.state();
+    if (theta_ == 0 || J_.size() != state.size())
+    {
+        return;
+    }
+
+    const vectorField change
+    (
+        U.primitiveField() - U.oldTime().primitiveField()
+    );
+    const List<vector> seen
+    (
+        ballCells_.mean(spread_->gather(change), state.size())
+    );
+    forAll(seen, b)
+    {
+        if (dem_.moves())
+        {
+            state.v[b] = v_[b] + response_[b]/state.mass[b]*seen[b];
+        }
+        else
+        {
+            rest_[b] = response_[b]*seen[b];
+        }
+    }
+}
+
+
+void Foam::coupling::momentumExchange::meshChanged()
+{
+    spread_->meshChanged();
+}
+
+
+Foam::vector Foam::coupling::momentumExchange::toBodies() const
+{
+    const dem::bodies& state = dem_.state();
+    vector sum(Zero);
+    forAll(J_, b)
+    {
+        sum += J_[b];
+        sum += dem_.moves() ? state.mass[b]*(state.v[b] - v_[b]) : rest_[b];
+    }
+    return sum;
+}
+
+
+Foam::vector Foam::coupling::momentumExchange::toFluid
+(
+    const volVectorField& U
+) const
+{
+    const vectorField& now = U.primitiveField();
+    const vectorField& old = U.oldTime().primitiveField();
+    return
+       -mesh_.time().deltaTValue()
+       *gSum((F_ + K_*(now - old))*mesh_.V().field());
+}
+
+
+Foam::scalar Foam::coupling::momentumExchange::leastAlpha() const
+{
+    return gMin(alpha_.primitiveField());
+}
+
+
+// ************************************************************************* //
