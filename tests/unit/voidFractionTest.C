@@ -157,6 +157,9 @@ TEST(voidFraction, conserves)
     const std::pair<const char*, const char*> types[] =
     {
         {"centroid", "type centroid;"},
+        {"divided", "type divided;"},
+        {"twoGrid", "type twoGrid; boxSize 0.25;"},
+        {"kernel", "type kernel; bandwidth 0.3;"},
         {"diffusion", "type diffusion; bandwidth 0.3;"},
         {"implicitEuler",
             "type diffusion; bandwidth 0.3; scheme implicitEuler; steps 3;"}

@@ -25,6 +25,16 @@ void Foam::demCloud::checkCoupling(const fluidAccess access) const
         }
     };
 
+    if (coupling_ == "twoWay" && dict_.found("immersed"))
+    {
+        refuse
+        (
+            "forces",
+            "does not go with coupling twoWay and immersed: bodies are either"
+            " points to the fluid (forces, voidFraction) or fill its cells"
+            " (immersed); take one of them out"
+        );
+    }
     const bool points = pointBodies();
     if (access == fluidAccess::look)
     {
