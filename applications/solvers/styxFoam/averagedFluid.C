@@ -50,12 +50,6 @@ Foam::tmp<Foam::volScalarField> Foam::averagedFluid::gamma() const
 }
 
 
-Foam::tmp<Foam::surfaceScalarField> Foam::averagedFluid::gammaf() const
-{
-    return fvc::interpolate(gamma(), "interpolate(voidFraction)");
-}
-
-
 Foam::scalar Foam::averagedFluid::courantNumber() const
 {
     const scalarField outflow

@@ -36,55 +36,66 @@ void Foam::averagedFluid::reportContinuity()
 void Foam::averagedFluid::correctPressure()
 {
     const volScalarField& a = alpha();
+    const volScalarField A(UEqn_->A());
+    const volScalarField rAU("rAU", 1/A);
+    const volScalarField y(gamma());
+
+    // Where the bodies begin both the resistance A and U jump, but neither
+    // does alpha U nor what is left of the pressure's gradient: faces have the
+    // mean of H/gamma - A/(gamma alpha) alpha U
     const surfaceScalarField af
     (
         fvc::interpolate(a, "interpolate(voidFraction)")
     );
-    const volScalarField rAU("rAU", 1/UEqn_->A());
-
-    // What a unit of the pressure's gradient does to the velocity
     const surfaceScalarField mobility
     (
         "mobility",
-        gammaf()*fvc::interpolate(rAU)
+        1/fvc::interpolate(A/(y*a), "interpolate(voidFraction)")
     );
-
     volVectorField HbyA(constrainHbyA(rAU*UEqn_->H(), U_, p_));
-    surfaceScalarField phiHbyA
+    surfaceScalarField alphaPhiHbyA
     (
-        "phiHbyA",
-        fvc::flux(HbyA)
-      + af*fvc::interpolate(rAU)*fvc::ddtCorr(U_, phi_)
+        "alphaPhiHbyA",
+        mobility
+       *(
+            fvc::flux((A/y)*HbyA)
+          + fvc::interpolate(a/y, "interpolate(voidFraction)")
+           *fvc::ddtCorr(U_, phi_)
+        )
     );
     if (p_.needReference())
     {
         // All that comes in goes out, but for what the bodies displace
-        surfaceScalarField all(af*phiHbyA);
-        adjustPhi(all, U_, p_);
-        phiHbyA = all/af;
+        adjustPhi(alphaPhiHbyA, U_, p_);
     }
-    constrainPressure(p_, U_, phiHbyA, mobility);
+    constrainPressure
+    (
+        p_,
+        U_,
+        surfaceScalarField(alphaPhiHbyA/af),
+        surfaceScalarField(mobility/af)
+    );
 
     while (pimple_.correctNonOrthogonal())
     {
         fvScalarMatrix pEqn
         (
-            fvm::laplacian(af*mobility, p_)
+            fvm::laplacian(mobility, p_)
          ==
-            fvc::ddt(a) + fvc::div(af*phiHbyA)
+            fvc::ddt(a) + fvc::div(alphaPhiHbyA)
         );
         pEqn.setReference(pRefCell_, pRefValue_);
         pEqn.solve(mesh_.solver(p_.select(pimple_.finalInnerIter())));
 
         if (pimple_.finalNonOrthogonalIter())
         {
-            alphaPhi_ = af*phiHbyA - pEqn.flux();
+            alphaPhi_ = alphaPhiHbyA - pEqn.flux();
             phi_ = alphaPhi_/af;
         }
     }
 
     p_.relax();
-    U_ = HbyA - rAU*gamma()*fvc::grad(p_);
+    U_ = HbyA - rAU*y*fvc::grad(p_);
     U_.correctBoundaryConditions();
     cloud_.correct(U_);
 }

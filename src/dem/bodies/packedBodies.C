@@ -314,7 +314,7 @@ Foam::scalar Foam::dem::packedBodies::turning(const label b) const
 }
 
 
-Foam::vector Foam::dem::packedBodies::acceleration(const label b) const
+Foam::vector Foam::dem::packedBodies::undragged(const label b) const
 {
     const label p = place_[b];
     vector a;
@@ -328,6 +328,13 @@ Foam::vector Foam::dem::packedBodies::acceleration(const label b) const
     {
         a = g_ + now_.x(-1 - p).w*vectorOf(now_.f(-1 - p));
     }
+    return a;
+}
+
+
+Foam::vector Foam::dem::packedBodies::acceleration(const label b) const
+{
+    const vector a = undragged(b);
     return drag_ ? drag_->acceleration(b, velocity(b), a) : a;
 }
 

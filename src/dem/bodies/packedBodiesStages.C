@@ -138,7 +138,7 @@ Foam::dem::packedBodies::slope Foam::dem::packedBodies::slopes() const
     }
     for (std::size_t b = 0; b < given_.size(); ++b)
     {
-        all.drag.push_back(drag_->acceleration(b, velocity(b)));
+        all.drag.push_back(acceleration(b) - undragged(b));
     }
     return all;
 }

@@ -16,14 +16,16 @@ License
 Foam::labelList Foam::coupling::ballCells::cells
 (
     const dem::bodies& state
-) const
+)
 {
+    // From where they were; a sphere that is another one now walks from there
     const label n = state.nSpheres();
-    labelList cell(n);
-    forAll(cell, s)
+    last_.setSize(n, -1);
+    forAll(last_, s)
     {
-        cell[s] = bins_.find(state.sphereX[s]);
+        last_[s] = bins_.find(state.sphereX[s], last_[s]);
     }
+    labelList cell(last_);
 
     // The first rank that has it; the others let go
     List<scalar> first(n, -GREAT);

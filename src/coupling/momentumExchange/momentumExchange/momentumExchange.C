@@ -188,12 +188,6 @@ void Foam::coupling::momentumExchange::start()
 }
 
 
-void Foam::coupling::momentumExchange::sample(const volVectorField& U)
-{
-    forces_.sample(U, &alpha_, equations_);
-}
-
-
 void Foam::coupling::momentumExchange::project()
 {
     // The void fraction of before is the old one of the fluid's equations
@@ -257,6 +251,7 @@ void Foam::coupling::momentumExchange::finish(const volVectorField& U)
 void Foam::coupling::momentumExchange::meshChanged()
 {
     spread_->meshChanged();
+    ballCells_.meshChanged();
 }
 
 
