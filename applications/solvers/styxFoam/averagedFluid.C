@@ -12,6 +12,7 @@ License
 #include "findRefCell.H"
 #include "fvc.H"
 #include "fvm.H"
+#include "zeroGradientFvPatchFields.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -28,24 +29,6 @@ Foam::IOobject Foam::averagedFluid::fieldIO
         mesh,
         IOobject::MUST_READ,
         IOobject::AUTO_WRITE
-    );
-}
-
-
-Foam::tmp<Foam::volScalarField> Foam::averagedFluid::gamma() const
-{
-    if (isA())
-    {
-        return alpha();
-    }
-    return tmp<volScalarField>
-    (
-        new volScalarField
-        (
-            IOobject("one", mesh_.time().timeName(), mesh_),
-            mesh_,
-            dimensionedScalar("one", dimless, 1)
-        )
     );
 }
 
@@ -86,6 +69,20 @@ Foam::averagedFluid::averagedFluid(dynamicFvMesh& mesh)
     (
         "alphaPhi",
         fvc::interpolate(alpha(), "interpolate(voidFraction)")*phi_
+    ),
+    resistance_
+    (
+        IOobject("resistance", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar("0", dimless/dimTime, 0),
+        zeroGradientFvPatchScalarField::typeName
+    ),
+    push_
+    (
+        IOobject("push", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedVector("0", dimAcceleration, Zero),
+        zeroGradientFvPatchVectorField::typeName
     ),
     pRefCell_(0),
     pRefValue_(0),
@@ -156,6 +153,10 @@ void Foam::averagedFluid::predictMomentum()
         dimVelocity/dimTime*dimVolume
     );
     cloud_.addForcing(exchange);
+    resistance_.primitiveFieldRef() = -exchange.diag()/mesh_.V().field();
+    resistance_.correctBoundaryConditions();
+    push_.primitiveFieldRef() = -exchange.source()/mesh_.V().field();
+    push_.correctBoundaryConditions();
 
     const volScalarField& a = alpha();
     UEqn_.reset
@@ -174,7 +175,11 @@ void Foam::averagedFluid::predictMomentum()
 
     if (pimple_.momentumPredictor())
     {
-        solve(*UEqn_ == -gamma()*fvc::grad(p_));
+        const surfaceScalarField flux
+        (
+            gammaf()*fvc::snGrad(p_)*mesh_.magSf()
+        );
+        solve(*UEqn_ == -pressureForce(flux) - faceShift());
     }
 }
 

@@ -14,8 +14,73 @@ License
 #include "constrainPressure.H"
 #include "fvc.H"
 #include "fvm.H"
+#include "zeroGradientFvPatchFields.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::tmp<Foam::surfaceScalarField> Foam::averagedFluid::gammaf() const
+{
+    if (!isA())
+    {
+        return tmp<surfaceScalarField>
+        (
+            new surfaceScalarField
+            (
+                IOobject("one", mesh_.time().timeName(), mesh_),
+                mesh_,
+                dimensionedScalar("one", dimless, 1)
+            )
+        );
+    }
+
+    // Weighed by the resistance, as its share over alpha is what the gradient
+    // balances; where there is none, by nothing
+    const volScalarField R
+    (
+        resistance_ + dimensionedScalar("small", dimless/dimTime, SMALL)
+    );
+    return
+        fvc::interpolate(R, "interpolate(voidFraction)")
+       /fvc::interpolate(R/alpha(), "interpolate(voidFraction)");
+}
+
+
+Foam::tmp<Foam::volVectorField> Foam::averagedFluid::pressureForce
+(
+    const surfaceScalarField& flux
+) const
+{
+    // The sum over all of a gradient by Gauss is that at the boundary
+    return isA() ? fvc::reconstruct(flux) : fvc::grad(p_);
+}
+
+
+Foam::tmp<Foam::volVectorField> Foam::averagedFluid::faceShift() const
+{
+    volVectorField lost(push_);
+    lost.primitiveFieldRef() =
+        resistance_.primitiveField()*U_.primitiveField()
+      - push_.primitiveField();
+    lost.correctBoundaryConditions();
+
+    volScalarField perVolume
+    (
+        IOobject("perVolume", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar("0", dimless/dimVolume, 0),
+        zeroGradientFvPatchScalarField::typeName
+    );
+    perVolume.primitiveFieldRef() = 1/mesh_.V().field();
+    perVolume.correctBoundaryConditions();
+
+    const surfaceVectorField n(mesh_.Sf()/mesh_.magSf());
+    return fvc::surfaceIntegrate
+    (
+        0.25/linearInterpolate(perVolume)*n
+       *(n & (fvc::snGrad(lost)/mesh_.nonOrthDeltaCoeffs()))
+    );
+}
+
 
 void Foam::averagedFluid::reportContinuity()
 {
@@ -38,11 +103,9 @@ void Foam::averagedFluid::correctPressure()
     const volScalarField& a = alpha();
     const volScalarField A(UEqn_->A());
     const volScalarField rAU("rAU", 1/A);
-    const volScalarField y(gamma());
 
-    // Where the bodies begin both the resistance A and U jump, but neither
-    // does alpha U nor what is left of the pressure's gradient: faces have the
-    // mean of H/gamma - A/(gamma alpha) alpha U
+    // Where the bodies begin both the resistance A and U jump, but alpha U
+    // does not: faces have the mean of H - A/alpha alpha U
     const surfaceScalarField af
     (
         fvc::interpolate(a, "interpolate(voidFraction)")
@@ -50,7 +113,7 @@ void Foam::averagedFluid::correctPressure()
     const surfaceScalarField mobility
     (
         "mobility",
-        1/fvc::interpolate(A/(y*a), "interpolate(voidFraction)")
+        1/fvc::interpolate(A/a, "interpolate(voidFraction)")
     );
     volVectorField HbyA(constrainHbyA(rAU*UEqn_->H(), U_, p_));
     surfaceScalarField alphaPhiHbyA
@@ -58,9 +121,7 @@ void Foam::averagedFluid::correctPressure()
         "alphaPhiHbyA",
         mobility
        *(
-            fvc::flux((A/y)*HbyA)
-          + fvc::interpolate(a/y, "interpolate(voidFraction)")
-           *fvc::ddtCorr(U_, phi_)
+            fvc::flux(A*HbyA) + af*fvc::ddtCorr(U_, phi_)
         )
     );
     if (p_.needReference())
@@ -68,19 +129,21 @@ void Foam::averagedFluid::correctPressure()
         // All that comes in goes out, but for what the bodies displace
         adjustPhi(alphaPhiHbyA, U_, p_);
     }
+    const surfaceScalarField yf(gammaf());
     constrainPressure
     (
         p_,
         U_,
         surfaceScalarField(alphaPhiHbyA/af),
-        surfaceScalarField(mobility/af)
+        surfaceScalarField(mobility*yf/af)
     );
+    surfaceScalarField force(yf*fvc::snGrad(p_)*mesh_.magSf());
 
     while (pimple_.correctNonOrthogonal())
     {
         fvScalarMatrix pEqn
         (
-            fvm::laplacian(mobility, p_)
+            fvm::laplacian(mobility*yf, p_)
          ==
             fvc::ddt(a) + fvc::div(alphaPhiHbyA)
         );
@@ -91,11 +154,12 @@ void Foam::averagedFluid::correctPressure()
         {
             alphaPhi_ = alphaPhiHbyA - pEqn.flux();
             phi_ = alphaPhi_/af;
+            force = pEqn.flux()/mobility;
         }
     }
 
     p_.relax();
-    U_ = HbyA - rAU*y*fvc::grad(p_);
+    U_ = HbyA - rAU*(pressureForce(force) + faceShift());
     U_.correctBoundaryConditions();
     cloud_.correct(U_);
 }
