@@ -194,7 +194,7 @@ void Foam::caseCheck::checkSizes()
         {
             sentence os;
             os  << nameOf(k).c_str() << ", " << d << " m, is a point to the"
-                << " fluid (coupling fluidToParticles) but larger than a cell,"
+                << " fluid but larger than a cell,"
                 << " " << k.cell << " m: it sees the velocity at its centre"
                 << " only.";
             advice_.append(os.str());
@@ -232,7 +232,7 @@ void Foam::caseCheck::checkSizes()
         );
     }
 
-    if (around_.points && allVolume > 0.01*domain)
+    if (around_.points && !around_.felt && allVolume > 0.01*domain)
     {
         sentence os;
         os  << "The bodies that are there and those to come fill "

@@ -52,6 +52,7 @@ Foam::caseCheck::surroundings Foam::demCloud::surroundings() const
         return s;
     }
     s.points = points_.valid();
+    s.felt = exchanged_.valid();
     s.rho = rho_->isField() ? 0 : rho_->uniform();
 
     const IOdictionary transport(constantDict(mesh_, "transportProperties"));
