@@ -67,14 +67,13 @@ Foam::vector Foam::dem::packedBodies::driven
     const label b,
     const vector& v,
     const vector& a,
-    const scalar pending,
     const scalar h
 )
 {
-    const vector now = kicked(b, v, a, pending, h);
+    const vector now = kicked(b, v, a, pending_, h);
     if (!given_.empty())
     {
-        given_[b] += now - v - (pending + h)*a;
+        given_[b] += now - v - (pending_ + h)*a;
     }
     return now;
 }
@@ -102,7 +101,6 @@ void Foam::dem::packedBodies::leapSingles
                     singleBody(k),
                     vectorOf(v),
                     g + mInverse*vectorOf(from.f(s)),
-                    pending_,
                     0.5*dt
                 ),
                 v.w
@@ -164,7 +162,7 @@ void Foam::dem::packedBodies::leapClumps
         collect(from, k, c, F, T);
 
         const vector a = g_ + F/c.mass;
-        c.v = driven(c.body, c.v, a, pending_, 0.5*dt);
+        c.v = driven(c.body, c.v, a, 0.5*dt);
         c.L += (pending_ + 0.5*dt)*T;
         c.x += dt*c.v;
 

@@ -90,7 +90,7 @@ void Foam::dem::packedBodies::kick(const scalar h)
         const scalar mInverse = now_.x(s).w;
         const vector a = g_ + mInverse*vectorOf(now_.f(s));
         const vector turn = surface*h*mInverse*vectorOf(now_.t(s));
-        const vector v = driven(b, vectorOf(now_.v(s)), a, 0, h);
+        const vector v = driven(b, vectorOf(now_.v(s)), a, h);
         now_.v(s) = record(v, now_.v(s).w);
         now_.w[s] = record(vectorOf(now_.w[s]) + turn, now_.w[s].w);
         note(b, a);
@@ -102,7 +102,7 @@ void Foam::dem::packedBodies::kick(const scalar h)
         vector F, T;
         collect(now_, k, c, F, T);
         const vector a = g_ + F/c.mass;
-        c.v = driven(c.body, c.v, a, 0, h);
+        c.v = driven(c.body, c.v, a, h);
         c.L += h*T;
         place(c);
         note(c.body, a);
