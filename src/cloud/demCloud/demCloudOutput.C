@@ -82,7 +82,7 @@ void Foam::demCloud::writeBodies() const
         "demCloud",
         state.x,
         dem_->group(),
-        state.id
+        &state.id
     );
     putBodies(out);
     written_ = cloudState::write
@@ -107,7 +107,7 @@ void Foam::demCloud::writeSpheres() const
         "demCloudSpheres",
         dem_->state().sphereX,
         dem_->group(),
-        labelList()
+        nullptr
     );
     putSpheres(out);
 }

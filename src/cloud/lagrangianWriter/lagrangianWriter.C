@@ -170,7 +170,7 @@ Foam::lagrangianWriter::lagrangianWriter
     const word& name,
     const UList<point>& points,
     const dem::rankGroup& group,
-    const UList<label>& id
+    const UList<label>* id
 )
 :
     mesh_(mesh),
