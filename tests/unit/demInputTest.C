@@ -186,6 +186,30 @@ TEST(demInput, entriesOfLaws)
         {"glue", "none", "simplifiedJKR"});
     spoil("normal hertz;", "normal hertz; rolling some;",
         {"some", "none", "constant"});
+    spoil("normal hertz;", "normal hertz; rolling elasticPlastic;",
+        {"rollingFriction"}, false);
+    spoil("rock-rock { rest", "rock-rock { rollingDampingRatio 0.5; rest",
+        {"rollingDampingRatio", "friction", "restitution"});
+    spoil("normal hertz;", "normal hertz; multiContact split;",
+        {"split", "none", "share"});
+    spoil("normal hertz;", "normal hertz; cohesion capillary;",
+        {"contactAngle"}, false);
+    spoil("normal hertz;", "normal hertz; cohesion vanDerWaals;",
+        {"hamakerConstant"}, false);
+    spoil("normal hertz;", "normal hertz; cohesion electrostatic;",
+        {"chargeCutOff"}, false);
+    spoil("normal hertz;",
+        "normal hertz; cohesion electrostatic; chargeCutOff 1e-3;",
+        {"surfaceCharge"}, false);
+    spoil("normal hertz;", "normal hertz; chargeCutOff 1e-3;",
+        {"chargeCutOff", "electrostatic only"});
+    spoil("normal hertz;",
+        "normal hertz; cohesion (simplifiedJKR vanDerWaals);",
+        {"simplifiedJKR", "vanDerWaals", "one of them"});
+    spoil("normal hertz;", "normal hertz; cohesion (capillary capillary);",
+        {"capillary", "twice"});
+    spoil("normal hertz;", "normal hertz; cohesion (capillary none);",
+        {"none", "capillary electrostatic simplifiedJKR vanDerWaals"});
     spoil("damping restitution;", "damping none; pulling no;",
         {"pulling", "dashpot"});
     spoil("damping restitution;", "damping hades;",

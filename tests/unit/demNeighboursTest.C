@@ -248,7 +248,7 @@ TEST(demNeighbours, histories)
     }
     Foam::List<verletList::pairHistory> saved(slips.size());
     std::copy(slips.begin(), slips.end(), saved.begin());
-    neighbours.setHistories(saved);
+    neighbours.setHistories(saved, {});
     neighbours.build(packedBodies(state));
 
     const auto check = [&]()

@@ -132,11 +132,20 @@ std::string ball(const std::string& stepControl, const scalar z)
 }
 
 
-//- Nine cubes that fall on one heap in a corner of three planes
-std::string heap(const std::string& stepControl)
+//- Nine cubes that fall on one heap in a corner of three planes; laws, and
+//  what a pair has for them
+std::string heap
+(
+    const std::string& stepControl,
+    const std::string& laws = "",
+    const std::string& pair = ""
+)
 {
-    std::string s = stuff + cubeOfNine + "stepControl { " + stepControl
-      + " }\n"
+    std::string s = stuff;
+    s.replace(s.find("friction"), 0, pair);
+    s +=
+        "contact { " + laws + " }\n" + cubeOfNine + "stepControl { "
+      + stepControl + " }\n"
         "walls\n{\n"
         "x { type plane; point (0 0 0); normal (1 0 0); material stuff; }\n"
         "y { type plane; point (0 0 0); normal (0 1 0); material stuff; }\n"
@@ -185,40 +194,62 @@ TEST(demStep, endsOnTime)
 
 TEST(demStep, undoneWithoutTrace)
 {
-    demCase a(heap("type fixed; deltaT 2e-5;"), gravity);
-    demCase b(heap("type rejecting; deltaT 2e-5;"), gravity);
-
-    label nContacts = 0;
-    for (int n = 0; n < 20; ++n)
+    // With slip, and with all else that contacts remember
+    struct {const char *name, *laws, *pair;} cases[] =
     {
-        a.run(0.01);
-        b.run(0.01);
-        nContacts += a.solver().report().nContacts;
-    }
-    EXPECT_GT(nContacts, 100);
-    EXPECT_GT(b.nRejected, 9000);
-    EXPECT_EQ(a.nSteps, b.nSteps);
-
-    label nDifferent = 0;
-    for (label i = 0; i < a.state().size(); ++i)
+        {"stepUndone", "", ""},
+        {
+            "stepUndone_laws",
+            "rolling elasticPlastic; torsion elasticPlastic;"
+            " cohesion (capillary vanDerWaals); multiContact share;",
+            "rollingFriction 0.1; torsionalFriction 0.05;"
+            " surfaceTension 0.07; contactAngle 20; bridgeVolume 0.01;"
+            " hamakerConstant 1e-15; minSeparation 1e-5; "
+        }
+    };
+    for (const auto& with : cases)
     {
-        nDifferent +=
-            a.state().x[i] != b.state().x[i]
-         || a.state().v[i] != b.state().v[i]
-         || a.state().L[i] != b.state().L[i]
-         || a.state().force[i] != b.state().force[i]
-         || a.state().torque[i] != b.state().torque[i]
-         || a.state().q[i] != b.state().q[i];
+        demCase a
+        (
+            heap("type fixed; deltaT 2e-5;", with.laws, with.pair), gravity
+        );
+        demCase b
+        (
+            heap("type rejecting; deltaT 2e-5;", with.laws, with.pair), gravity
+        );
+
+        label nContacts = 0;
+        for (int n = 0; n < 20; ++n)
+        {
+            a.run(0.01);
+            b.run(0.01);
+            nContacts += a.solver().report().nContacts;
+        }
+        EXPECT_GT(nContacts, 100);
+        EXPECT_GT(b.nRejected, 9000);
+        EXPECT_EQ(a.nSteps, b.nSteps);
+
+        label nDifferent = 0;
+        for (label i = 0; i < a.state().size(); ++i)
+        {
+            nDifferent +=
+                a.state().x[i] != b.state().x[i]
+             || a.state().v[i] != b.state().v[i]
+             || a.state().L[i] != b.state().L[i]
+             || a.state().force[i] != b.state().force[i]
+             || a.state().torque[i] != b.state().torque[i]
+             || a.state().q[i] != b.state().q[i];
+        }
+        figure
+        (
+            with.name,
+            nDifferent,
+            0,
+            0,
+            "bodies that differ in a bit after 10000 rejected steps",
+            "a run without them"
+        );
     }
-    figure
-    (
-        "stepUndone",
-        nDifferent,
-        0,
-        0,
-        "bodies that differ in a bit after 10000 rejected steps",
-        "a run without them"
-    );
 }
 
 

@@ -10,6 +10,7 @@ License
 
 #include "cloudState.H"
 #include "forceMemory.H"
+#include "contactLawState.H"
 #include "OFstream.H"
 #include "OSspecific.H"
 #include "PstreamReduceOps.H"
@@ -166,6 +167,7 @@ Foam::autoPtr<Foam::IOdictionary> Foam::cloudState::write
     const dem::bodies& all = dem.touching();
     writePairs(out, state, all, history.pairs, dem.period().active());
     writeWalls(out, state, all, history.walls);
+    writeContactLaws(out, state, all, history);
 
     autoPtr<IOdictionary> dict
     (

@@ -8,6 +8,7 @@ License
 
 \*---------------------------------------------------------------------------*/
 
+#include "contactLawState.H"
 #include "savedContacts.H"
 
 // * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
@@ -250,15 +251,7 @@ List<dem::namedTouch> named
     DynamicList<dem::namedTouch> all;
     for (const dem::wallTouch& t : touches)
     {
-        const label b = state.sphereBody[t.sphere];
-        all.append
-        (
-            dem::namedTouch
-            {
-                {state.id[b], t.sphere - state.firstSphere[b]},
-                t
-            }
-        );
+        all.append(cloudState::named(t, state));
     }
     return List<dem::namedTouch>(std::move(all));
 }
@@ -283,18 +276,18 @@ void Foam::cloudState::readContacts
     );
     if (dem.group().shared())
     {
-        dem.setHistory
-        (
-            readNamedPairs(saved, state, periodic),
-            named(touches, state)
-        );
+        List<dem::namedPair> pairs(readNamedPairs(saved, state, periodic));
+        List<dem::namedTouch> atWalls(named(touches, state));
+        readContactLaws(saved, savedWalls, dem, pairs, atWalls);
+        dem.setHistory(pairs, atWalls);
     }
     else
     {
-        dem.setHistory
-        (
-            dem::contactHistory{readPairs(saved, state, periodic), touches}
-        );
+        dem::contactHistory history;
+        history.pairs = readPairs(saved, state, periodic);
+        history.walls = touches;
+        readContactLaws(saved, savedWalls, dem, history);
+        dem.setHistory(history);
     }
 }
 

@@ -131,7 +131,7 @@ void Foam::dem::packedBodies::pack(const bodies& state, const vector& g)
     // too far from each other to touch
     const label n = nSpheres_ + 2;
     now_.xv.assign(n, quadPair{{0, 0, 0, 1}, {0, 0, 0, 0.1}});
-    now_.x(n - 1).x = 1;
+    now_.x(n - 1).x = 1e30;
     now_.w.assign(n, quad{0, 0, 0, 0.1});
     now_.ft.resize(n);
 

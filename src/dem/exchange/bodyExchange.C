@@ -226,6 +226,24 @@ void Foam::dem::bodyExchange::findRadii(const bodies& own)
 }
 
 
+Foam::scalar Foam::dem::bodyExchange::reachOf
+(
+    const verletList& list,
+    const UList<scalar>& radius
+) const
+{
+    scalar largest = 0;
+    for (const scalar r : radius)
+    {
+        largest = max(largest, r);
+    }
+    return rankGroup(true).max
+    (
+        list.skinOf(meanRadius_) + list.reachOf(largest)
+    );
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::dem::bodyExchange::bodyExchange
@@ -283,7 +301,7 @@ void Foam::dem::bodyExchange::shareOut
         radius[b] = own.shapeOf(b).boundingRadius();
         records.append(own.record(b));
     }
-    const scalar reach = group.max(list.skinOf(meanRadius_));
+    const scalar reach = reachOf(list, own.sphereR);
     arrange(records, nearRanks(own.x, radius, reach, period_));
 
     if (restarted)
@@ -317,17 +335,20 @@ void Foam::dem::bodyExchange::reachOut
         radius[k] = all_->shapeOf(b).boundingRadius();
         records.append(all_->record(b));
     }
-    const scalar reach = rankGroup(true).max(list.skinOf(meanRadius_));
+    const scalar reach = reachOf(list, all_->sphereR);
     List<DynamicList<label>> toRanks(nearRanks(x, radius, reach, period_));
 
-    for (const auto& h : list.histories())
+    for (const auto& histories : {list.histories(), list.bridges()})
     {
-        const label a = all_->sphereBody[h.pair.i];
-        const label b = all_->sphereBody[h.pair.j];
-        if (rank_[a] != rank_[b])
+        for (const auto& h : histories)
         {
-            const bool first = ownIndex[a] >= 0;
-            toRanks[rank_[first ? b : a]].append(ownIndex[first ? a : b]);
+            const label a = all_->sphereBody[h.pair.i];
+            const label b = all_->sphereBody[h.pair.j];
+            if (rank_[a] != rank_[b])
+            {
+                const bool first = ownIndex[a] >= 0;
+                toRanks[rank_[first ? b : a]].append(ownIndex[first ? a : b]);
+            }
         }
     }
     for (DynamicList<label>& bodies : toRanks)

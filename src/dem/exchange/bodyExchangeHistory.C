@@ -11,6 +11,8 @@ License
 #include "bodyExchange.H"
 #include "rankMail.H"
 
+#include "SubList.H"
+
 #include <algorithm>
 
 // * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
@@ -21,9 +23,13 @@ namespace
 using namespace Foam;
 using namespace Foam::dem;
 
+//- In the order of the blocks, bridges behind all contacts
 bool before(const verletList::pairHistory& a, const verletList::pairHistory& b)
 {
-    return contactBlocks::before(a.pair, b.pair);
+    return
+        a.bridge != b.bridge
+      ? b.bridge
+      : contactBlocks::before(a.pair, b.pair);
 }
 
 
@@ -78,6 +84,11 @@ Foam::DynamicList<Foam::dem::namedPair> Foam::dem::bodyExchange::pairsOf
     {
         pairs.append(namedPair{nameOf(h.pair.i), nameOf(h.pair.j), h});
     }
+    for (const verletList::pairHistory& h : list.bridges())
+    {
+        pairs.append(namedPair{nameOf(h.pair.i), nameOf(h.pair.j), h});
+        pairs.last().memory.bridge = true;
+    }
     return pairs;
 }
 
@@ -89,9 +100,25 @@ Foam::DynamicList<Foam::dem::namedTouch> Foam::dem::bodyExchange::touchesOf
 {
     DynamicList<namedTouch> touches(savedTouches_);
     savedTouches_.clear();
-    for (const wallTouch& t : walls.touches())
+    forAll(walls.touches(), k)
     {
-        touches.append(namedTouch{nameOf(t.sphere), t});
+        const wallTouch& t = walls.touches()[k];
+        namedTouch n;
+        n.i = nameOf(t.sphere);
+        n.memory = t;
+        if (walls.touchesRolled().size())
+        {
+            n.rolled = walls.touchesRolled()[k];
+        }
+        touches.append(n);
+    }
+    for (const wallTouch& t : walls.bridges())
+    {
+        namedTouch n;
+        n.i = nameOf(t.sphere);
+        n.memory = t;
+        n.bridge = true;
+        touches.append(n);
     }
     return touches;
 }
@@ -153,28 +180,50 @@ void Foam::dem::bodyExchange::remember
     (
         label(std::unique(found.begin(), found.end(), same) - found.begin())
     );
-    list.setHistories(found);
+    label nTouching = 0;
+    while (nTouching < found.size() && !found[nTouching].bridge)
+    {
+        ++nTouching;
+    }
+    list.setHistories
+    (
+        SubList<verletList::pairHistory>(found, nTouching),
+        SubList<verletList::pairHistory>
+        (
+            found, found.size() - nTouching, nTouching
+        )
+    );
 
-    DynamicList<wallTouch> atWalls(touches.size());
+    DynamicList<namedTouch> here(touches.size());
     for (const namedTouch& t : touches)
     {
         const label s = find(t.i);
         if (s >= 0)
         {
-            atWalls.append(t.memory);
-            atWalls.last().sphere = s;
+            here.append(t);
+            here.last().memory.sphere = s;
         }
     }
     std::stable_sort
     (
-        atWalls.begin(),
-        atWalls.end(),
-        [](const wallTouch& a, const wallTouch& b)
+        here.begin(),
+        here.end(),
+        [](const namedTouch& a, const namedTouch& b)
         {
-            return a.sphere < b.sphere;
+            return a.memory.sphere < b.memory.sphere;
         }
     );
-    walls.setTouches(atWalls);
+    DynamicList<wallTouch> atWalls, bridged;
+    DynamicList<wallRolled> rolled;
+    for (const namedTouch& t : here)
+    {
+        (t.bridge ? bridged : atWalls).append(t.memory);
+        if (!t.bridge)
+        {
+            rolled.append(t.rolled);
+        }
+    }
+    walls.setTouches(atWalls, rolled, bridged);
 }
 
 

@@ -15,11 +15,20 @@ License
 #include "DynamicList.H"
 #include "ListOps.H"
 #include "mathematicalConstants.H"
+#include "unitConversion.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::dem::materials::readMaterials(const dictionary& dict)
 {
+    const bool charged = laws_.coheres("electrostatic");
+    DynamicList<word> keys;
+    keys.append(wordList({"density", "youngsModulus", "poissonsRatio"}));
+    if (charged)
+    {
+        keys.append("surfaceCharge");
+    }
+
     names_ = dict.sortedToc();
     if (names_.empty())
     {
@@ -32,7 +41,7 @@ void Foam::dem::materials::readMaterials(const dictionary& dict)
     for (const word& name : names_)
     {
         const dictionary& d = dict.subDict(name);
-        checkKeys(d, {"density", "youngsModulus", "poissonsRatio"});
+        checkKeys(d, wordList(keys));
 
         density_.append
         (
@@ -40,6 +49,65 @@ void Foam::dem::materials::readMaterials(const dictionary& dict)
         );
         E_.append(getPositive(d, "youngsModulus", 1e-6, 1e30));
         nu_.append(getInRange(d, "poissonsRatio", 0, 0.5));
+
+        // Walls are not charged
+        charge_.append
+        (
+            charged && (d.found("density") || d.found("surfaceCharge"))
+          ? getFinite(d, "surfaceCharge")
+          : 0
+        );
+    }
+}
+
+
+void Foam::dem::materials::readAttraction
+(
+    const dictionary& dict,
+    const label i,
+    const label j,
+    pairProperties& p
+) const
+{
+    using namespace constant;
+
+    if (laws_.coheres("capillary"))
+    {
+        const scalar angle =
+            degToRad(getInRange(dict, "contactAngle", 0, 90));
+        const scalar v = getPositive(dict, "bridgeVolume", 1e-9, 0.1);
+        p.bridgeForce =
+            mathematical::twoPi*cos(angle)
+           *getPositive(dict, "surfaceTension", 1e-12, 1e6);
+        p.bridgeVolume = v;
+        p.bridgeReach = (1 + 0.5*angle)*(cbrt(v) + 0.1*pow(v, 2.0/3.0));
+    }
+    if (laws_.coheres("vanDerWaals"))
+    {
+        p.hamakerConstant = getNonNegative(dict, "hamakerConstant");
+        p.minSeparation = getPositive(dict, "minSeparation", 1e-12, 1);
+        p.maxSeparation =
+            getPositive(dict, "maxSeparation", 10*p.minSeparation);
+        if (p.maxSeparation <= p.minSeparation)
+        {
+            badEntry
+            (
+                dict,
+                "maxSeparation",
+                "must be above the minSeparation of "
+              + std::to_string(p.minSeparation) + " m"
+            );
+        }
+    }
+    if (laws_.coheres("electrostatic"))
+    {
+        // F = q_i q_j/(4 pi eps l^2) with q = 4 pi r^2 sigma. The constant of
+        // nature stands here, as OpenFOAM's own needs a database
+        const scalar eps0 = 8.8541878128e-12;
+        p.chargePressure =
+            4*mathematical::pi*charge_[i]*charge_[j]
+           /(eps0*laws_.permittivity);
+        p.chargeCutOff = laws_.chargeCutOff;
     }
 }
 
@@ -122,6 +190,9 @@ Foam::dem::pairProperties Foam::dem::materials::readPair
         const scalar ratio = getInRange(dict, "dampingRatio", 0, 100, 1);
         damp(2*ratio/viscousPerRatio(isHertz));
     }
+    readAttraction(dict, i, j, p);
+    p.rollingDamping = getInRange(dict, "rollingDampingRatio", 0, 1, 1);
+    p.torsionalDamping = getInRange(dict, "torsionalDampingRatio", 0, 1, 1);
 
     return p;
 }
@@ -189,11 +260,13 @@ Foam::dem::materials::materials
     const contactLaws* laws
 )
 {
-    readMaterials(dict.subDict("materials"));
-
     if (laws)
     {
         laws_ = *laws;
+    }
+    readMaterials(dict.subDict("materials"));
+    if (laws)
+    {
         readPairs(dict.subDict("pairs"), *laws);
     }
 }
@@ -223,6 +296,29 @@ Foam::label Foam::dem::materials::findOfBody
         badEntry(dict, key, "a body needs a material with a density");
     }
     return i;
+}
+
+
+Foam::scalar Foam::dem::materials::reachPerRadius() const
+{
+    // R of a sphere at a wall is twice its radius
+    scalar most = 0;
+    for (const pairProperties& p : pairs_)
+    {
+        most = max(most, 2*p.bridgeReach);
+    }
+    return most;
+}
+
+
+Foam::scalar Foam::dem::materials::reach() const
+{
+    scalar most = 0;
+    for (const pairProperties& p : pairs_)
+    {
+        most = max(most, max(p.maxSeparation, p.chargeCutOff));
+    }
+    return most;
 }
 
 

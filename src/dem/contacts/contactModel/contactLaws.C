@@ -13,6 +13,69 @@ License
 #include "checkedEntry.H"
 #include "DynamicList.H"
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::dem::contactLaws::readCohesion(const dictionary& dict)
+{
+    const wordList kinds
+    (
+        {"simplifiedJKR", "capillary", "vanDerWaals", "electrostatic"}
+    );
+    if (dict.found("cohesion"))
+    {
+        const tokenList& tokens = dict.lookup("cohesion");
+        if (tokens.size() && !tokens[0].isWord())
+        {
+            cohesion = dict.get<wordList>("cohesion");
+        }
+        else if (dict.get<word>("cohesion") != "none")
+        {
+            cohesion = wordList({dict.get<word>("cohesion")});
+        }
+    }
+    forAll(cohesion, n)
+    {
+        if (!kinds.found(cohesion[n]))
+        {
+            badEntry
+            (
+                dict,
+                "cohesion",
+                "names " + cohesion[n] + "; it may be none, one of "
+              + listWords(kinds) + ", or a list of these"
+            );
+        }
+        if (cohesion.find(cohesion[n]) != n)
+        {
+            badEntry(dict, "cohesion", "names " + cohesion[n] + " twice");
+        }
+    }
+    if (coheres("simplifiedJKR") && coheres("vanDerWaals"))
+    {
+        badEntry
+        (
+            dict,
+            "cohesion",
+            "has the attraction between the surfaces themselves twice, as"
+            " simplifiedJKR and as vanDerWaals: take one of them"
+        );
+    }
+
+    for (const char* key : {"relativePermittivity", "chargeCutOff"})
+    {
+        if (dict.found(key) && !coheres("electrostatic"))
+        {
+            badEntry(dict, key, "is for cohesion electrostatic only");
+        }
+    }
+    if (coheres("electrostatic"))
+    {
+        permittivity = getPositive(dict, "relativePermittivity", scalar(1));
+        chargeCutOff = getPositive(dict, "chargeCutOff", 1e-12, 1e9);
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::dem::contactLaws::contactLaws(const dictionary& dict)
@@ -22,7 +85,8 @@ Foam::dem::contactLaws::contactLaws(const dictionary& dict)
         dict,
         {
             "normal", "tangential", "damping", "pulling", "rolling",
-            "torsion", "cohesion", "instructions"
+            "torsion", "cohesion", "relativePermittivity", "chargeCutOff",
+            "multiContact", "instructions"
         }
     );
 
@@ -47,10 +111,12 @@ Foam::dem::contactLaws::contactLaws(const dictionary& dict)
             instructions
         );
 
-    rolling = getChoice(dict, "rolling", {"none", "constant"}, rolling);
-    torsion = getChoice(dict, "torsion", {"none", "constant"}, torsion);
-    cohesion =
-        getChoice(dict, "cohesion", {"none", "simplifiedJKR"}, cohesion);
+    const wordList resistances({"none", "constant", "elasticPlastic"});
+    rolling = getChoice(dict, "rolling", resistances, rolling);
+    torsion = getChoice(dict, "torsion", resistances, torsion);
+    readCohesion(dict);
+    multiContact =
+        getChoice(dict, "multiContact", {"none", "share"}, multiContact);
 
     for (const char* key : {"rolling", "torsion"})
     {
@@ -84,6 +150,12 @@ Foam::dem::contactLaws::contactLaws(const dictionary& dict)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+bool Foam::dem::contactLaws::coheres(const word& kind) const
+{
+    return cohesion.found(kind);
+}
+
+
 Foam::wordList Foam::dem::contactLaws::pairKeys() const
 {
     DynamicList<word> keys;
@@ -116,9 +188,19 @@ Foam::wordList Foam::dem::contactLaws::pairKeys() const
     {
         keys.append("torsionalFriction");
     }
-    if (cohesion != "none")
+    if (coheres("simplifiedJKR"))
     {
         keys.append("cohesionEnergyDensity");
+    }
+    if (coheres("capillary"))
+    {
+        keys.append("surfaceTension");
+        keys.append("contactAngle");
+        keys.append("bridgeVolume");
+    }
+    if (coheres("vanDerWaals"))
+    {
+        keys.append(wordList({"hamakerConstant", "minSeparation"}));
     }
 
     return wordList(keys);
@@ -127,7 +209,27 @@ Foam::wordList Foam::dem::contactLaws::pairKeys() const
 
 Foam::wordList Foam::dem::contactLaws::freePairKeys() const
 {
-    return damping == "critical" ? wordList({"dampingRatio"}) : wordList();
+    DynamicList<word> keys;
+
+    if (damping == "critical")
+    {
+        keys.append("dampingRatio");
+    }
+    if (rolling == "elasticPlastic")
+    {
+        keys.append("rollingDampingRatio");
+    }
+    if (torsion == "elasticPlastic")
+    {
+        keys.append("torsionalDampingRatio");
+    }
+
+    if (coheres("vanDerWaals"))
+    {
+        keys.append("maxSeparation");
+    }
+
+    return wordList(keys);
 }
 
 

@@ -70,6 +70,15 @@ const namedSet& find(const word& name)
 }
 
 
+sweepLaws::resistance numbered(const word& resistance)
+{
+    return
+        resistance == "elasticPlastic" ? sweepLaws::elasticPlastic
+      : resistance == "constant" ? sweepLaws::constant
+      : sweepLaws::free;
+}
+
+
 sweepLaws numbered(const contactLaws& laws)
 {
     sweepLaws n;
@@ -84,9 +93,13 @@ sweepLaws numbered(const contactLaws& laws)
       : laws.damping == "none" ? sweepLaws::noDamping
       : sweepLaws::viscous;
     n.pulling = laws.pulling;
-    n.rolls = laws.rolling != "none";
-    n.twists = laws.torsion != "none";
-    n.coheres = laws.cohesion != "none";
+    n.rolling = numbered(laws.rolling);
+    n.torsion = numbered(laws.torsion);
+    n.coheres = laws.coheres("simplifiedJKR");
+    n.bridges = laws.coheres("capillary");
+    n.vanDerWaals = laws.coheres("vanDerWaals");
+    n.charges = laws.coheres("electrostatic");
+    n.shares = laws.multiContact == "share";
     return n;
 }
 
@@ -95,7 +108,12 @@ sweepLaws numbered(const contactLaws& laws)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::dem::contactModel::giveWalls(wallSet& walls, sweepData& data)
+void Foam::dem::contactModel::giveWalls
+(
+    const wallSet& walls,
+    UList<wallTouch>& touches,
+    sweepData& data
+)
 {
     static_assert
     (
@@ -114,13 +132,47 @@ void Foam::dem::contactModel::giveWalls(wallSet& walls, sweepData& data)
         data.mirrors = data.mirrors || wallMaterial_[w] < 0;
     }
 
-    wallTouch* touches = walls.padded(nLanes());
-    data.nWallBlocks = (walls.trial().size() + nLanes() - 1)/nLanes();
-    data.wallSphere = &touches->sphere;
+    wallTouch* first = touches.data();
+    data.nWallBlocks = (touches.size() + nLanes() - 1)/nLanes();
+    data.wallSphere = &first->sphere;
     data.wallSphereStep = sizeof(wallTouch)/sizeof(int);
-    data.wallRecords = touches->n.v_;
+    data.wallRecords = first->n.v_;
     data.wallRecordsStep = sizeof(wallTouch)/sizeof(scalar);
     data.wallMaterial = wallMaterial_.data();
+}
+
+
+void Foam::dem::contactModel::attract
+(
+    sweepData& data,
+    const packedBodies& state,
+    verletList& list,
+    wallSet& walls,
+    const bool onTrial,
+    contactSummary& sum
+)
+{
+    UList<wallTouch>& reached = walls.paddedReached(nLanes());
+    list.giveReached(data, onTrial);
+    giveWalls(walls, reached, data);
+
+    sweepExtremes pairs, atWalls;
+    set_->attract(laws_, data, pairs, atWalls);
+
+    if (pairs.frequency10 > sum.frequency10)
+    {
+        const verletList::spherePair p = list.reachedInLane(pairs.stiffAt);
+        sum.frequency10 = pairs.frequency10;
+        sum.stiffA = state.bodyOf(p.i);
+        sum.stiffB = state.bodyOf(p.j);
+    }
+    if (atWalls.frequency10 > sum.frequency10)
+    {
+        const wallTouch& t = reached[atWalls.stiffAt];
+        sum.frequency10 = atWalls.frequency10;
+        sum.stiffA = state.bodyOf(t.sphere);
+        sum.stiffB = -1 - t.wallI;
+    }
 }
 
 
@@ -161,11 +213,19 @@ Foam::dem::contactSummary Foam::dem::contactModel::addForces
     data.fetches = state.nSpheres() > fetchedFrom;
     data.pairs = materials_.pairs().cdata();
     data.nMaterials = materials_.names().size();
+    data.laws = &laws_;
     data.dt = dt;
     data.ahead = between > 0 ? 0.5*dt/between : 0;
     list.refresh(state);
     list.give(data, onTrial);
-    giveWalls(walls, data);
+    giveWalls(walls, walls.padded(nLanes()), data);
+    data.wallRolled = walls.rolled();
+    if (laws_.shares)
+    {
+        shares_.find(state, list, walls.trial(), nLanes());
+        data.pairShare = shares_.ofPairs();
+        data.wallShare = shares_.ofWalls();
+    }
 
     sweepExtremes pairs, atWalls;
     set_->sweep(laws_, data, pairs, atWalls);
@@ -208,6 +268,10 @@ Foam::dem::contactSummary Foam::dem::contactModel::addForces
         sum.frequency10 = pairs.frequency10;
         sum.stiffA = bodyAt(p.i);
         sum.stiffB = bodyAt(p.j);
+    }
+    if (laws_.reaches())
+    {
+        attract(data, state, list, walls, onTrial, sum);
     }
     if (sum.frequency10 > 0)
     {

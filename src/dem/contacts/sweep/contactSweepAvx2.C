@@ -23,6 +23,7 @@ const Foam::dem::sweepSet Foam::dem::sweepAvx2
 {
     STYX_LANES,
     &avx2::sweep,
+    &avx2::sweepReach,
     &avx2::leap
 };
 

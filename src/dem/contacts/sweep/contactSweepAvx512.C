@@ -23,6 +23,7 @@ const Foam::dem::sweepSet Foam::dem::sweepAvx512
 {
     STYX_LANES,
     &avx512::sweep,
+    &avx512::sweepReach,
     &avx512::leap
 };
 

@@ -21,6 +21,7 @@ const Foam::dem::sweepSet Foam::dem::sweepSse2
 {
     STYX_LANES,
     &sse2::sweep,
+    &sse2::sweepReach,
     &sse2::leap
 };
 

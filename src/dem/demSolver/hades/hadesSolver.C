@@ -159,7 +159,8 @@ bool Foam::dem::hadesSolver::tryStep(const scalar t, const scalar dt)
         return false;
     }
 
-    if (inStages && slips_)
+    const contactLaws& laws = materials_.laws();
+    if (inStages && (laws.slips() || laws.rollsBack()))
     {
         endOfStages(t + dt, dt);
     }
@@ -243,7 +244,6 @@ Foam::dem::hadesSolver::hadesSolver(const demInput& input)
       ? verletList(input.dict.subDict("neighbours"))
       : verletList(0.1)
     ),
-    slips_(readLaws(input.dict).tangential == "mindlin"),
     relaxes_
     (
         getChoice(input.dict, "start", {"asGiven", "relax"}, "asGiven")
@@ -252,6 +252,7 @@ Foam::dem::hadesSolver::hadesSolver(const demInput& input)
     integrator_(integrator::New(input.dict)),
     control_(stepControl::New(input.dict.subDict("stepControl")))
 {
+    const contactLaws& laws = materials_.laws();
     if (group_.shared())
     {
         exchange_.reset
@@ -262,13 +263,18 @@ Foam::dem::hadesSolver::hadesSolver(const demInput& input)
     }
     packed_.setInstructions(contacts_.instructions());
     list_.setLanes(contacts_.nLanes());
+    list_.setMemory(laws.slips(), laws.rollsBack());
+    walls_.setMemory(laws.rollsBack());
+    list_.setReach(materials_.reach(), materials_.reachPerRadius());
+    walls_.setReach(materials_.reach(), materials_.reachPerRadius());
     list_.setPeriodicity(input_.period);
     walls_.setPeriodicity(input_.period);
     readWalls();
     readMirrors();
     readGenerators();
     readSinks();
-    checkIntegrator(readLaws(input.dict));
+    checkIntegrator(laws);
+    checkShapes(laws);
     if (!input.restart)
     {
         relax();

@@ -103,6 +103,24 @@ void Foam::dem::hadesSolver::checkIntegrator(const contactLaws& laws) const
 }
 
 
+void Foam::dem::hadesSolver::checkShapes(const contactLaws& laws) const
+{
+    for (const shape& s : shapes_)
+    {
+        if (laws.coheres("electrostatic") && !s.isSphere())
+        {
+            badEntry
+            (
+                input_.dict.subDict("contact"),
+                "cohesion",
+                "electrostatic has the charge of a body in the centre of its"
+                " sphere, but shape " + s.name() + " has several"
+            );
+        }
+    }
+}
+
+
 void Foam::dem::hadesSolver::checkOverlaps()
 {
     if (!nBodies())

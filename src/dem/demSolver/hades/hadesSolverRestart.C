@@ -25,14 +25,27 @@ Foam::wordList Foam::dem::hadesSolver::walls() const
 
 Foam::dem::contactHistory Foam::dem::hadesSolver::history() const
 {
-    return contactHistory{list_.histories(), walls_.touches()};
+    contactHistory history;
+    history.pairs = list_.histories();
+    history.walls = walls_.touches();
+    history.rolls = materials_.laws().rollsBack();
+    history.wallsRolled = walls_.touchesRolled();
+    history.bridges = materials_.laws().coheres("capillary");
+    history.pairsBridged = list_.bridges();
+    history.wallsBridged = walls_.bridges();
+    return history;
 }
 
 
 void Foam::dem::hadesSolver::setHistory(const contactHistory& history)
 {
-    list_.setHistories(history.pairs);
-    walls_.setTouches(history.walls);
+    list_.setHistories(history.pairs, history.pairsBridged);
+    walls_.setTouches
+    (
+        history.walls,
+        history.wallsRolled,
+        history.wallsBridged
+    );
 }
 
 

@@ -35,8 +35,9 @@ void Foam::dem::contactBlocks::place
     i_.assign(nBlocks*W, 8*nSpheres);
     j_.assign(nBlocks*W, 8*(nSpheres + 1));
     image_.assign(nImages_ ? nBlocks*W : 0, periodicity::original);
-    now_.xi.zero(3*nBlocks*W);
-    now_.rate.zero(4*nBlocks*W);
+    now_.xi.zero(slips_ ? 3*nBlocks*W : 0);
+    now_.rate.zero(moves_ ? 4*nBlocks*W : 0);
+    now_.rolled.zero(rolls_ ? 4*nBlocks*W : 0);
     now_.touched.assign(nBlocks, 0);
     onTrial_ = false;
 
@@ -72,13 +73,17 @@ void Foam::dem::contactBlocks::set
     {
         const pairHistory& h = touching[p];
         const label k = slot(p);
-        for (direction d = 0; d < 3; ++d)
+        if (slips_)
         {
-            now_.xi.data()[at(k, d, 3)] = h.xi[d];
+            now_.xi.put(h.xi.cdata(), 3, k, nLanes_);
         }
-        for (direction d = 0; d < 4; ++d)
+        if (moves_)
         {
-            now_.rate.data()[at(k, d, 4)] = h.rate[d];
+            now_.rate.put(h.rate, 4, k, nLanes_);
+        }
+        if (rolls_)
+        {
+            now_.rolled.put(h.rolled, 4, k, nLanes_);
         }
         now_.touched[k/nLanes_] |= 1 << (k % nLanes_);
     }
@@ -117,14 +122,17 @@ void Foam::dem::contactBlocks::set
         }
         const label k = slot(p);
         const label from = lanes[next++];
-        for (direction d = 0; d < 3; ++d)
+        if (slips_)
         {
-            now_.xi.data()[at(k, d, 3)] = trial_.xi.data()[at(from, d, 3)];
+            now_.xi.take(trial_.xi, from, 3, k, nLanes_);
         }
-        for (direction d = 0; d < 4; ++d)
+        if (moves_)
         {
-            now_.rate.data()[at(k, d, 4)] =
-                trial_.rate.data()[at(from, d, 4)];
+            now_.rate.take(trial_.rate, from, 4, k, nLanes_);
+        }
+        if (rolls_)
+        {
+            now_.rolled.take(trial_.rolled, from, 4, k, nLanes_);
         }
         now_.touched[k/nLanes_] |= 1 << (k % nLanes_);
     }
@@ -160,13 +168,17 @@ Foam::dem::contactBlocks::histories() const
 
         pairHistory h;
         h.pair = pairInLane(k);
-        for (direction d = 0; d < 3; ++d)
+        if (slips_)
         {
-            h.xi[d] = now_.xi.data()[at(k, d, 3)];
+            now_.xi.get(h.xi.data(), 3, k, nLanes_);
         }
-        for (direction d = 0; d < 4; ++d)
+        if (moves_)
         {
-            h.rate[d] = now_.rate.data()[at(k, d, 4)];
+            now_.rate.get(h.rate, 4, k, nLanes_);
+        }
+        if (rolls_)
+        {
+            now_.rolled.get(h.rolled, 4, k, nLanes_);
         }
         found.append(h);
     }
@@ -192,6 +204,8 @@ void Foam::dem::contactBlocks::give(sweepData& data, const bool onTrial)
     data.ofPairs.xi = next.xi.data();
     data.ofPairs.rateOld = now_.rate.data();
     data.ofPairs.rate = next.rate.data();
+    data.ofPairs.rolledOld = now_.rolled.data();
+    data.ofPairs.rolled = next.rolled.data();
     data.ofPairs.touchedOld = now_.touched.data();
     data.ofPairs.touched = next.touched.data();
 }

@@ -47,7 +47,7 @@ void Foam::dem::verletList::search(const packedBodies& state)
     {
         r[s] = state.radius(s) + far_.allowed[s];
     }
-    sizeLevels(far_.x, r, 0).forEachPair
+    sizeLevels(far_.x, r, reach_).forEachPair
     (
         [&](const label i, const label j)
         {
@@ -82,7 +82,7 @@ void Foam::dem::verletList::searchImages(const packedBodies& state)
         period_.forEachImage
         (
             far_.x[s],
-            radius + overhang,
+            radius + reach_ + overhang,
             [&](const label m)
             {
                 x.append(far_.x[s] + period_.shift(m));
@@ -93,7 +93,7 @@ void Foam::dem::verletList::searchImages(const packedBodies& state)
         );
     }
 
-    sizeLevels(x, r, 0).forEachPair
+    sizeLevels(x, r, reach_).forEachPair
     (
         [&](label i, label j)
         {
@@ -173,24 +173,39 @@ void Foam::dem::verletList::sortPairs(const label n)
 
 void Foam::dem::verletList::setNear(const packedBodies& state)
 {
+    near_.start(state, 0.5*nearSkin_, slowest, 0.25);
+    gather(state, 0, blocks_);
+    if (reaches())
+    {
+        gather(state, reach_, reached_);
+    }
+    nSweeps_ = 0;
+}
+
+
+void Foam::dem::verletList::gather
+(
+    const packedBodies& state,
+    const scalar beyond,
+    contactBlocks& blocks
+)
+{
     const quadPair* xv = state.spheres().xv.data();
-    const scalar skin = nearSkin_;
 
     // What touched before a step on trial belongs to them: the step may be
     // undone
     const auto sooner = contactBlocks::before;
-    const std::vector<label>& touching = blocks_.touching();
+    const std::vector<label>& touching = blocks.touching();
     std::size_t next = 0;
     spherePair touch;
     const auto setTouch = [&]()
     {
         if (next < touching.size())
         {
-            touch = blocks_.pairInLane(touching[next]);
+            touch = blocks.pairInLane(touching[next]);
         }
     };
     setTouch();
-    near_.start(state, 0.5*skin, slowest, 0.25);
     const scalar* allowed = near_.allowed.cdata();
     nearPairs_.clear();
     for (const spherePair& p : pairs_)
@@ -212,15 +227,31 @@ void Foam::dem::verletList::setNear(const packedBodies& state)
         }
         const scalar reach =
             xv[p.i].second.w + xv[p.j].second.w
-          + allowed[p.i] + allowed[p.j];
+          + allowed[p.i] + allowed[p.j] + beyond;
 
         if (magSqr(d) < sqr(reach))
         {
             nearPairs_.push_back(p);
         }
     }
-    blocks_.set(nearPairs_, state.nSpheres());
-    nSweeps_ = 0;
+    blocks.set(nearPairs_, state.nSpheres());
+}
+
+
+void Foam::dem::verletList::takeKept
+(
+    List<pairHistory>& kept,
+    contactBlocks& blocks,
+    const label nSpheres
+)
+{
+    const auto sooner = [](const pairHistory& a, const pairHistory& b)
+    {
+        return contactBlocks::before(a.pair, b.pair);
+    };
+    std::sort(kept.begin(), kept.end(), sooner);
+    blocks.set(kept, nSpheres);
+    kept.clear();
 }
 
 
@@ -363,23 +394,30 @@ void Foam::dem::verletList::build(const packedBodies& state)
     const label n = state.nSpheres();
     if (!valid_)
     {
-        const auto sooner = [](const pairHistory& a, const pairHistory& b)
+        takeKept(kept_, blocks_, n);
+        if (reaches())
         {
-            return contactBlocks::before(a.pair, b.pair);
-        };
-        std::sort(kept_.begin(), kept_.end(), sooner);
-        blocks_.set(kept_, n);
-        kept_.clear();
+            takeKept(keptBridges_, reached_, n);
+        }
     }
 
+    scalar largest = 0;
+    for (label s = 0; s < n; ++s)
+    {
+        largest = max(largest, state.radius(s));
+    }
     skin_ = skinOf(state.meanRadius());
+    reach_ = reachOf(largest);
 
     adaptFar(n);
     far_.start(state, 0.5*fastSkin_, skin_/max(fastSkin_, VSMALL), 0.02);
     search(state);
-    for (const label lane : blocks_.touching())
+    for (contactBlocks* blocks : {&blocks_, &reached_})
     {
-        pairs_.push_back(blocks_.pairInLane(lane));
+        for (const label lane : blocks->touching())
+        {
+            pairs_.push_back(blocks->pairInLane(lane));
+        }
     }
     sortPairs(n);
 
@@ -419,17 +457,20 @@ void Foam::dem::verletList::renumber(const labelUList& newIndex)
         drop();
     }
 
-    label n = 0;
-    for (pairHistory& h : kept_)
+    for (List<pairHistory>* kept : {&kept_, &keptBridges_})
     {
-        h.pair.i = newIndex[h.pair.i];
-        h.pair.j = newIndex[h.pair.j];
-        if (h.pair.i >= 0 && h.pair.j >= 0)
+        label n = 0;
+        for (pairHistory& h : *kept)
         {
-            kept_[n++] = pairHistory(h);
+            h.pair.i = newIndex[h.pair.i];
+            h.pair.j = newIndex[h.pair.j];
+            if (h.pair.i >= 0 && h.pair.j >= 0)
+            {
+                (*kept)[n++] = pairHistory(h);
+            }
         }
+        kept->setSize(n);
     }
-    kept_.setSize(n);
 }
 
 
@@ -444,28 +485,37 @@ void Foam::dem::verletList::turn
         drop();
     }
 
-    label n = 0;
-    for (pairHistory& h : kept_)
+    for (List<pairHistory>* kept : {&kept_, &keptBridges_})
     {
-        // What touches is nearer than a period, so the image is one of the 27
-        h.pair.image = periodicity::moved
-        (
-            h.pair.image,
-            turns[state.sphereBody[h.pair.i]]
-          - turns[state.sphereBody[h.pair.j]]
-        );
-        if (h.pair.image >= 0)
+        label n = 0;
+        for (pairHistory& h : *kept)
         {
-            kept_[n++] = pairHistory(h);
+            // What touches is nearer than a period, so the image is one of
+            // the 27
+            h.pair.image = periodicity::moved
+            (
+                h.pair.image,
+                turns[state.sphereBody[h.pair.i]]
+              - turns[state.sphereBody[h.pair.j]]
+            );
+            if (h.pair.image >= 0)
+            {
+                (*kept)[n++] = pairHistory(h);
+            }
         }
+        kept->setSize(n);
     }
-    kept_.setSize(n);
 }
 
 
-void Foam::dem::verletList::setHistories(const UList<pairHistory>& touching)
+void Foam::dem::verletList::setHistories
+(
+    const UList<pairHistory>& touching,
+    const UList<pairHistory>& bridged
+)
 {
     kept_ = touching;
+    keptBridges_ = bridged;
     valid_ = false;
 }
 

@@ -64,7 +64,8 @@ void Foam::dem::contactStep::land
         around_->walls,
         around_->period,
         min(horizon_, min(choice.dt, length_)),
-        begin
+        begin,
+        around_->stuff.reach()
     );
     if (flight.nLooked() > 20*flight.nSpheres() + 1000)
     {

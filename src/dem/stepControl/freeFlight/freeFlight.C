@@ -86,7 +86,7 @@ Foam::scalarList Foam::dem::freeFlight::reaches
     {
         const packedBodies::path& p = paths_[s];
         reach[s] =
-            state_.radius(s)
+            state_.radius(s) + reach_
           + horizon_*(mag(p.v - v) + 0.5*horizon_*(mag(p.a - a) + p.bend));
     }
     return reach;
@@ -186,7 +186,7 @@ inline void Foam::dem::freeFlight::meetPair
     meet
     (
         isOther(i) ? j : i,
-        distance - radius(i) - radius(j),
+        wayTo(distance - radius(i) - radius(j)),
         normal & (q.v - p.v),
         (normal & (q.a - p.a)) + p.bend + q.bend,
         min(radius(i), radius(j)),
@@ -289,7 +289,7 @@ void Foam::dem::freeFlight::meetWalls
             {
                 point p;
                 vector normal;
-                const scalar d = w.nearest(x, e, p, normal) - r;
+                const scalar d = wayTo(w.nearest(x, e, p, normal) - r);
                 const scalar c =
                     w.convex() ? -(normal & path.v) : mag(path.v);
                 const scalar b =
@@ -340,12 +340,14 @@ Foam::dem::freeFlight::freeFlight
     const wallSet& walls,
     const periodicity& period,
     const scalar horizon,
-    const scalar begin
+    const scalar begin,
+    const scalar reach
 )
 :
     state_(state),
     horizon_(min(min(horizon, state.paths(paths_)), walls.untilAppears())),
-    begin_(begin)
+    begin_(begin),
+    reach_(reach)
 {
     if (period.active())
     {

@@ -45,6 +45,7 @@ inline bool Foam::dem::wallSet::touches
     const neighbour& n,
     const point& x,
     const scalar r,
+    const scalar reach,
     wallTouch& t
 ) const
 {
@@ -57,7 +58,7 @@ inline bool Foam::dem::wallSet::touches
         t.p,
         t.n
     );
-    if (d >= r)
+    if (d >= r + reach)
     {
         return false;
     }
@@ -84,6 +85,7 @@ inline bool Foam::dem::wallSet::touches
 
 inline Foam::label Foam::dem::wallSet::select
 (
+    UList<wallTouch>& trial,
     const label first,
     const label last,
     const scalar radius
@@ -95,8 +97,8 @@ inline Foam::label Foam::dem::wallSet::select
     }
     std::sort
     (
-        trial_.begin() + first,
-        trial_.begin() + last,
+        trial.begin() + first,
+        trial.begin() + last,
         [](const wallTouch& a, const wallTouch& b)
         {
             return a.overlap > b.overlap;
@@ -112,11 +114,11 @@ inline Foam::label Foam::dem::wallSet::select
             // The tolerance is above the round-off of coordinates in a
             // surface file, and far below what a corner stands out
             standsOut =
-                ((trial_[t].p - trial_[k].p) & trial_[k].n) > 1e-4*radius;
+                ((trial[t].p - trial[k].p) & trial[k].n) > 1e-4*radius;
         }
         if (standsOut)
         {
-            trial_[end++] = trial_[t];
+            trial[end++] = trial[t];
         }
     }
     return end;
@@ -125,16 +127,18 @@ inline Foam::label Foam::dem::wallSet::select
 
 inline void Foam::dem::wallSet::bequeath
 (
-    const wallTouch& old,
+    touchList& list,
+    const label oldI,
     const label begin,
     const label end
 )
 {
+    const wallTouch& old = list.accepted[oldI];
     label heir = -1;
     scalar best = 0.8;
     for (label t = begin; t < end; ++t)
     {
-        const scalar cosine = trial_[t].n & old.n;
+        const scalar cosine = list.trial[t].n & old.n;
         if (cosine > best)
         {
             best = cosine;
@@ -143,12 +147,132 @@ inline void Foam::dem::wallSet::bequeath
     }
 
     // An heir of two keeps what the nearer one left
-    if (heir >= 0 && best > trial_[heir].likeness)
+    if (heir >= 0 && best > list.trial[heir].likeness)
     {
-        trial_[heir].likeness = best;
-        trial_[heir].xi = old.xi;
-        std::copy(old.rate, old.rate + 4, trial_[heir].rate);
+        wallTouch& t = list.trial[heir];
+        t.likeness = best;
+        t.xi = old.xi;
+        std::copy(old.rate, old.rate + 4, t.rate);
+        if (list.rolls)
+        {
+            list.trialRolled[heir] = list.rolled[oldI];
+        }
     }
+}
+
+
+void Foam::dem::wallSet::find
+(
+    const packedBodies& state,
+    const bool reaching,
+    touchList& list
+) const
+{
+    // Contacts are made where they stay, and the room for them is there
+    list.trial.setSize(near_.size());
+
+    label end = 0;
+    label old = 0;
+    for (label k = 0; k < near_.size();)
+    {
+        const label sphere = near_[k].sphere;
+        const point x = state.centre(sphere);
+        const scalar r = state.radius(sphere);
+        const scalar reach = reaching ? reachOf(r) : 0;
+
+        const label begin = end;
+        for (; k < near_.size() && near_[k].sphere == sphere; ++k)
+        {
+            if (touches(near_[k], x, r, reach, list.trial[end]))
+            {
+                ++end;
+            }
+        }
+        end = select(list.trial, begin, end, r);
+        if (list.rolls)
+        {
+            list.trialRolled.setSize(begin);
+            list.trialRolled.setSize(end, wallRolled());
+        }
+
+        // Both lists are sorted by sphere
+        const UList<wallTouch>& before = list.accepted;
+        while (old < before.size() && before[old].sphere < sphere)
+        {
+            ++old;
+        }
+        for (; old < before.size() && before[old].sphere == sphere; ++old)
+        {
+            // What was within reach only has nothing to leave
+            if (!reaching || before[old].likeness > 0)
+            {
+                bequeath(list, old, begin, end);
+            }
+        }
+    }
+    list.trial.setSize(end);
+}
+
+
+void Foam::dem::wallSet::pad
+(
+    touchList& list,
+    const label n,
+    const scalar overlap
+)
+{
+    DynamicList<wallTouch>& trial = list.trial;
+    const label end = trial.size();
+    const label last = (end + n - 1)/n*n;
+    trial.setSize(max(last, label(1)));
+
+    // They have a sphere and a wall that exist
+    wallTouch nothing = {};
+    nothing.overlap = overlap;
+    if (end)
+    {
+        nothing.sphere = trial[0].sphere;
+        nothing.wallI = trial[0].wallI;
+    }
+    for (label k = end; k < last; ++k)
+    {
+        trial[k] = nothing;
+    }
+    trial.setSize(end);
+    if (list.rolls)
+    {
+        list.trialRolled.setSize(end);
+        list.trialRolled.setSize(max(last, label(1)), wallRolled());
+        list.trialRolled.setSize(end);
+    }
+}
+
+
+void Foam::dem::wallSet::touchList::accept()
+{
+    accepted.swap(trial);
+    rolled.swap(trialRolled);
+}
+
+
+void Foam::dem::wallSet::touchList::renumber(const labelUList& newIndex)
+{
+    label n = 0;
+    forAll(accepted, k)
+    {
+        const label s = newIndex[accepted[k].sphere];
+        if (s >= 0)
+        {
+            if (rolls)
+            {
+                rolled[n] = rolled[k];
+            }
+            accepted[n] = accepted[k];
+            accepted[n++].sphere = s;
+        }
+    }
+    accepted.setSize(n);
+    rolled.setSize(rolls ? n : 0);
 }
 
 
@@ -172,7 +296,9 @@ void Foam::dem::wallSet::build
             continue;
         }
         const point c = state.centre(s);
-        const scalar reach = state.radius(s) + allowed[s] + own;
+        const scalar r = state.radius(s);
+        const scalar reach =
+            r + allowed[s] + own + (reaches() ? reachOf(r) : 0);
 
         findNear(s, periodicity::original, c, reach);
         period_.forEachImage
@@ -217,60 +343,11 @@ void Foam::dem::wallSet::touching
 
 void Foam::dem::wallSet::findTouches(const packedBodies& state)
 {
-    // Contacts are made where they stay, and the room for them is there
-    trial_.setSize(near_.size());
-
-    label end = 0;
-    label old = 0;
-    for (label k = 0; k < near_.size();)
+    find(state, false, contacts_);
+    if (reaches())
     {
-        const label sphere = near_[k].sphere;
-        const point x = state.centre(sphere);
-        const scalar r = state.radius(sphere);
-
-        const label begin = end;
-        for (; k < near_.size() && near_[k].sphere == sphere; ++k)
-        {
-            if (touches(near_[k], x, r, trial_[end]))
-            {
-                ++end;
-            }
-        }
-        end = select(begin, end, r);
-
-        // Both lists are sorted by sphere
-        while (old < touches_.size() && touches_[old].sphere < sphere)
-        {
-            ++old;
-        }
-        for (; old < touches_.size() && touches_[old].sphere == sphere; ++old)
-        {
-            bequeath(touches_[old], begin, end);
-        }
+        find(state, true, reached_);
     }
-    trial_.setSize(end);
-}
-
-
-Foam::dem::wallTouch* Foam::dem::wallSet::padded(const label n)
-{
-    const label end = trial_.size();
-    const label last = (end + n - 1)/n*n;
-    trial_.setSize(max(last, label(1)));
-
-    // They have a sphere and a wall that exist
-    wallTouch nothing = {};
-    if (end)
-    {
-        nothing.sphere = trial_[0].sphere;
-        nothing.wallI = trial_[0].wallI;
-    }
-    for (label k = end; k < last; ++k)
-    {
-        trial_[k] = nothing;
-    }
-    trial_.setSize(end);
-    return trial_.data();
 }
 
 
@@ -344,7 +421,7 @@ const Foam::dem::wallTouch* Foam::dem::wallSet::inTheWay
     if (appeared_.size())
     {
         scalar most = part;
-        for (const wallTouch& t : trial_)
+        for (const wallTouch& t : contacts_.trial)
         {
             const scalar depth = t.overlap/radius[t.sphere];
             if (depth > most && appeared_.found(t.wallI))
@@ -383,17 +460,40 @@ bool Foam::dem::wallSet::isNear
 
 void Foam::dem::wallSet::renumber(const labelUList& newIndex)
 {
-    label n = 0;
-    for (const wallTouch& t : touches_)
+    contacts_.renumber(newIndex);
+    reached_.renumber(newIndex);
+    near_.clear();
+}
+
+
+Foam::List<Foam::dem::wallTouch> Foam::dem::wallSet::bridges() const
+{
+    DynamicList<wallTouch> found;
+    for (const wallTouch& t : reached_.accepted)
     {
-        if (newIndex[t.sphere] >= 0)
+        if (t.likeness > 0)
         {
-            touches_[n] = t;
-            touches_[n++].sphere = newIndex[t.sphere];
+            found.append(t);
         }
     }
-    touches_.setSize(n);
-    near_.clear();
+    return List<wallTouch>(std::move(found));
+}
+
+
+void Foam::dem::wallSet::setTouches
+(
+    const UList<wallTouch>& touches,
+    const UList<wallRolled>& rolled,
+    const UList<wallTouch>& bridged
+)
+{
+    contacts_.accepted = touches;
+    contacts_.rolled = contacts_.rolls ? rolled : UList<wallRolled>();
+    reached_.accepted = bridged;
+    for (wallTouch& t : reached_.accepted)
+    {
+        t.likeness = 1;
+    }
 }
 
 
