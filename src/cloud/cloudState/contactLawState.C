@@ -342,7 +342,7 @@ void writeBridges
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
-Foam::dem::namedTouch Foam::cloudState::named
+Foam::dem::namedTouch Foam::cloudState::namedOf
 (
     const dem::wallTouch& t,
     const dem::bodies& state
@@ -456,7 +456,7 @@ void Foam::cloudState::readContactLaws
         pairs.append(readPairBridges(saved, dem.state()));
         for (const auto& t : readWallBridges(saved, savedWalls, dem))
         {
-            touches.append(named(t, dem.state()));
+            touches.append(namedOf(t, dem.state()));
             touches.last().bridge = true;
         }
     }

@@ -251,7 +251,7 @@ List<dem::namedTouch> named
     DynamicList<dem::namedTouch> all;
     for (const dem::wallTouch& t : touches)
     {
-        all.append(cloudState::named(t, state));
+        all.append(cloudState::namedOf(t, state));
     }
     return List<dem::namedTouch>(std::move(all));
 }
