@@ -155,11 +155,12 @@ List<dem::namedPair> readPairBridges
             p.j = dem::sphereName{numbers[k + 1], numbers[k + 2]};
             p.memory.pair.image = numbers[k + 3];
             p.memory.bridge = true;
-            if (p.j.body <= p.i.body || numbers[k + 3] < 0 || numbers[k + 3] > 26)
+            const label image = numbers[k + 3];
+            if (p.j.body <= p.i.body || image < 0 || image > 26)
             {
                 saved.bad(name)
                     << "Body " << saved.id[b] << " has a bridge to body "
-                    << numbers[k + 1] << ", image " << numbers[k + 3]
+                    << numbers[k + 1] << ", image " << image
                     << ", which cannot be." << exit(FatalIOError);
             }
             pairs.append(p);
