@@ -43,6 +43,20 @@ Foam::scalar Foam::averagedFluid::courantNumber() const
 }
 
 
+void Foam::averagedFluid::checkScheme(const word& name) const
+{
+    const word scheme(mesh_.ddtScheme(name));
+    if (scheme != "Euler")
+    {
+        FatalErrorInFunction
+            << "styxFoam needs the scheme Euler for " << name << " in "
+            << mesh_.time().system() << "/fvSchemes, not " << scheme << "."
+            << nl << "    What the bodies take is an impulse over one step."
+            << exit(FatalError);
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::averagedFluid::averagedFluid(dynamicFvMesh& mesh)
@@ -88,6 +102,8 @@ Foam::averagedFluid::averagedFluid(dynamicFvMesh& mesh)
     pRefValue_(0),
     cumulativeError_(0)
 {
+    checkScheme("ddt(" + alpha().name() + ',' + U_.name() + ')');
+    checkScheme("ddt(" + alpha().name() + ')');
     setRefCell(p_, pimple_.dict(), pRefCell_, pRefValue_);
     mesh.setFluxRequired(p_.name());
     turbulence_ = turbulenceModel::New
