@@ -74,6 +74,25 @@ void Foam::demCloud::checkCoupling(const fluidAccess access) const
         refuse("voidFraction", why);
         refuse("momentumExchange", why);
     }
+    if
+    (
+        points
+     && coupling_ != "twoWay"
+     && coupling::pointForce::switchedOn
+        (
+            "undisturbedVelocity",
+            dict_.subDict("forces")
+        )
+    )
+    {
+        dem::badEntry
+        (
+            dict_.subDict("forces"),
+            "undisturbedVelocity",
+            "is of no use with coupling " + coupling_ + ": the fluid does not"
+            " feel the bodies, so that they have no wake; take it out"
+        );
+    }
     if (coupling_ != "none" && !points)
     {
         refuse

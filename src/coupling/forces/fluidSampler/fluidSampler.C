@@ -17,6 +17,8 @@ License
 #include "rankSum.H"
 #include "volFields.H"
 
+#include <cmath>
+
 // * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
 
 namespace
@@ -205,6 +207,36 @@ void Foam::coupling::fluidSampler::sampleTurbulence
 }
 
 
+void Foam::coupling::fluidSampler::sampleCells
+(
+    const UList<point>& points,
+    const labelUList& mine,
+    const labelUList& cells,
+    List<fluidAtPoint>& fluid
+) const
+{
+    forAll(mine, i)
+    {
+        fluidAtPoint& f = fluid[mine[i]];
+        f.cellSize = std::cbrt(mesh_.V()[cells[i]]);
+        f.toCentre = mesh_.C()[cells[i]] - points[mine[i]];
+        if (scheme_ == "cell")
+        {
+            continue;
+        }
+
+        // Linear from the centre, all its own, to the surface, where it is a
+        // mean
+        scalar out = 0;
+        for (direction d = 0; d < 3; ++d)
+        {
+            out = max(out, 2*mag(f.toCentre[d])/f.cellSize);
+        }
+        f.ownShare = 1 - min(out, scalar(1));
+    }
+}
+
+
 void Foam::coupling::fluidSampler::share(List<fluidAtPoint>& fluid) const
 {
     if (!Pstream::parRun())
@@ -305,6 +337,7 @@ Foam::coupling::fluidSampler::sample
         {
             // A sum over the ranks follows; nobody's point is in no fluid
             fluid[b].voidFraction = 0;
+            fluid[b].ownShare = 0;
         }
     }
 
@@ -346,6 +379,10 @@ Foam::coupling::fluidSampler::sample
     if (needs(fluidAtPoint::turbulence))
     {
         sampleTurbulence(mine, cells, fluid);
+    }
+    if (needs(fluidAtPoint::cell))
+    {
+        sampleCells(points, mine, cells, fluid);
     }
     share(fluid);
     return fluid;

@@ -87,6 +87,32 @@ Foam::scalar Foam::coupling::pointForces::rate
 }
 
 
+bool Foam::coupling::pointForces::followsExchange() const
+{
+    for (const pointForce& f : forces_)
+    {
+        if (f.followsExchange())
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+void Foam::coupling::pointForces::noteExchange
+(
+    const label b,
+    const exchangedImpulse& impulse
+)
+{
+    for (pointForce& f : forces_)
+    {
+        f.noteExchange(dem_.state().id[b], impulse);
+    }
+}
+
+
 Foam::scalar Foam::coupling::pointForces::largestRe() const
 {
     const dem::bodies& state = dem_.state();

@@ -12,6 +12,7 @@ License
 #include "allowedKeys.H"
 #include "checkedEntry.H"
 #include "interpolation.H"
+#include "undisturbedVelocity.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -105,7 +106,27 @@ void Foam::coupling::pointForces::readForces(const dictionary& forces)
         );
     }
 
+    // The first changes what all others see
+    const word wake(undisturbedVelocity::typeName);
+    wordList names(1, wake);
     for (const word& name : pointForce::names())
+    {
+        if (name != wake)
+        {
+            names.append(name);
+        }
+    }
+    if (pointForce::switchedOn(wake, forces) && mesh_.nGeometricD() != 3)
+    {
+        dem::badEntry
+        (
+            forces,
+            wake,
+            "is that of a body in three dimensions, and the mesh has empty"
+            " or wedge patches; take it out"
+        );
+    }
+    for (const word& name : names)
     {
         autoPtr<pointForce> force(pointForce::New(name, dem_.g(), forces));
         if (force.valid())

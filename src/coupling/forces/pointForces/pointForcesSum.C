@@ -212,7 +212,7 @@ void Foam::coupling::pointForces::act
 (
     const label b,
     fluidAtPoint& fluid,
-    const UList<fluidAtPoint>& atElements,
+    UList<fluidAtPoint>& atElements,
     const scalar dt
 )
 {
@@ -222,9 +222,20 @@ void Foam::coupling::pointForces::act
     if (fluid.rho > 0)
     {
         const pointBody body(bodyOf(b, dt));
+        const vector sampled = fluid.u;
         for (pointForce& f : forces_)
         {
             f.note(body, fluid);
+        }
+
+        // The spheres of a clump see the same change; a single one is fluid
+        // itself
+        if (atElements.size() > 1)
+        {
+            for (fluidAtPoint& f : atElements)
+            {
+                f.u += fluid.u - sampled;
+            }
         }
         for (const pointForce& f : forces_)
         {
@@ -303,13 +314,8 @@ void Foam::coupling::pointForces::sample
     {
         const label nElements = first_[b + 1] - first_[b];
         const bool whole = nElements == 1;
-        act
-        (
-            b,
-            fluid[b],
-            SubList<fluidAtPoint>(fluid, nElements, whole ? b : next),
-            dt
-        );
+        SubList<fluidAtPoint> own(fluid, nElements, whole ? b : next);
+        act(b, fluid[b], own, dt);
         next += whole ? 0 : nElements;
     }
 

@@ -10,6 +10,7 @@ License
 
 #include "momentumExchange.H"
 #include "allowedKeys.H"
+#include "bodyWake.H"
 #include "checkedEntry.H"
 #include "zeroGradientFvPatchFields.H"
 
@@ -85,6 +86,45 @@ void Foam::coupling::momentumExchange::findImpulses()
             response_[b] = theta_*m*k*dt;
             J_[b] += m*k*dt*slip;
         }
+    }
+}
+
+
+Foam::vector Foam::coupling::momentumExchange::impulse(const label b) const
+{
+    const dem::bodies& state = dem_.state();
+    return
+        J_[b]
+      + (dem_.moves() ? state.mass[b]*(state.v[b] - v_[b]) : rest_[b]);
+}
+
+
+void Foam::coupling::momentumExchange::noteImpulses()
+{
+    if (!forces_.followsExchange())
+    {
+        return;
+    }
+
+    const dem::bodies& state = dem_.state();
+    exchangedImpulse got;
+    got.dt = mesh_.time().deltaTValue();
+    got.step = mesh_.time().timeIndex();
+    got.tau = spread_->spreadTime();
+    got.onFaces = equations_ != averagedEquations::none;
+
+    List<vector> offset(spread_->balls().size());
+    forAll(offset, i)
+    {
+        offset[i] = spread_->offset(i);
+    }
+    offset = ballCells_.mean(offset, state.size());
+    forAll(J_, b)
+    {
+        got.J = impulse(b);
+        got.offset = offset[b];
+        got.moved = dem_.moves() ? got.dt*state.v[b] : vector(Zero);
+        forces_.noteExchange(b, got);
     }
 }
 
@@ -176,6 +216,18 @@ Foam::coupling::momentumExchange::momentumExchange
         << (averaged ? set : word("without a void fraction")) << endl;
 
     dem_.state().recordDrag = true;
+
+    if (forces_.followsExchange() && spread_->spreadTime() < 0)
+    {
+        dem::badEntry
+        (
+            dict.subDict("voidFraction"),
+            "type",
+            "is " + spread_->type() + ", and undisturbedVelocity among the"
+            " forces knows the wake of a Gaussian or of a cell only: take"
+            " diffusion, kernel or centroid"
+        );
+    }
 }
 
 
@@ -221,8 +273,13 @@ void Foam::coupling::momentumExchange::addTo(fvMatrix<vector>& eqn) const
 void Foam::coupling::momentumExchange::finish(const volVectorField& U)
 {
     dem::bodies& state = dem_.state();
-    if (theta_ == 0 || J_.size() != state.size())
+    if (J_.size() != state.size())
     {
+        return;
+    }
+    if (theta_ == 0)
+    {
+        noteImpulses();
         return;
     }
 
@@ -245,6 +302,7 @@ void Foam::coupling::momentumExchange::finish(const volVectorField& U)
             rest_[b] = response_[b]*seen[b];
         }
     }
+    noteImpulses();
 }
 
 
@@ -261,8 +319,7 @@ Foam::vector Foam::coupling::momentumExchange::toBodies() const
     vector sum(Zero);
     forAll(J_, b)
     {
-        sum += J_[b];
-        sum += dem_.moves() ? state.mass[b]*(state.v[b] - v_[b]) : rest_[b];
+        sum += impulse(b);
     }
     return sum;
 }
