@@ -134,6 +134,7 @@ Foam::autoPtr<Foam::IOdictionary> Foam::cloudState::write
     const coupling::implicitForcing* immersed,
     const coupling::pointForces* points,
     const dictionary& meters,
+    const dictionary& effects,
     const bool complete
 )
 {
@@ -183,6 +184,10 @@ Foam::autoPtr<Foam::IOdictionary> Foam::cloudState::write
     dict->add("walls", dem.walls());
     dem.writeCounters(*dict);
     dict->add("meters", meters);
+    if (!effects.empty())
+    {
+        dict->add("effects", effects);
+    }
     if (remembering.size())
     {
         dict->add("forceMemory", remembering);

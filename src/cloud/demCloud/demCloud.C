@@ -158,6 +158,13 @@ void Foam::demCloud::samplePoints()
         }
         points_->setSteps(interval_->steps());
     }
+    if (effectWatch_.valid())
+    {
+        points_->watch
+        (
+            effectWatch_->due() ? coupling::fluidAtPoint::vorticity : 0
+        );
+    }
 
     points_->sample
     (
@@ -170,6 +177,10 @@ void Foam::demCloud::samplePoints()
     if (interval_.valid())
     {
         interval_->exchanged(state, *points_);
+    }
+    if (effectWatch_.valid())
+    {
+        watchPoints();
     }
 }
 
@@ -222,6 +233,7 @@ void Foam::demCloud::beginStep()
         if (immersed_.valid())
         {
             immersed_->store();
+            watchSolids();
         }
         meters_->begin(*dem_);
         advancing_ = true;

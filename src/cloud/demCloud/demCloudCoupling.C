@@ -105,6 +105,24 @@ void Foam::demCloud::checkCoupling(const fluidAccess access) const
 }
 
 
+void Foam::demCloud::makeExchange(const bool averaged)
+{
+    exchanged_.reset
+    (
+        new coupling::momentumExchange
+        (
+            mesh_,
+            bins_,
+            *dem_,
+            *rho_,
+            *points_,
+            dict_,
+            averaged
+        )
+    );
+}
+
+
 void Foam::demCloud::readCoupling(const fluidAccess access)
 {
     checkCoupling(access);
@@ -142,19 +160,7 @@ void Foam::demCloud::readCoupling(const fluidAccess access)
         U().oldTime();
         if (coupling_ == "twoWay")
         {
-            exchanged_.reset
-            (
-                new coupling::momentumExchange
-                (
-                    mesh_,
-                    bins_,
-                    *dem_,
-                    *rho_,
-                    *points_,
-                    dict_,
-                    access == fluidAccess::share
-                )
-            );
+            makeExchange(access == fluidAccess::share);
         }
     }
     else if (coupling_ != "none")

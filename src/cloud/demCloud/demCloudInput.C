@@ -70,7 +70,7 @@ void Foam::demCloud::checkInput() const
             "bodies", "generators", "sinks", "meters", "contact", "walls",
             "integrator", "stepControl", "neighbours", "immersed", "forces",
             "voidFraction", "momentumExchange", "interface",
-            "couplingInterval", "output", "start"
+            "couplingInterval", "output", "start", "effects"
         }
     );
 }
@@ -101,7 +101,11 @@ bool Foam::demCloud::sharesOut(const fluidAccess access) const
 {
     // What a fluid feels, and the refinement around the bodies, want all
     // bodies on each rank
-    return coupling_ == "none" && access != fluidAccess::act;
+    const bool chosenLater =
+        effects_.automatic && access != fluidAccess::none
+     && !dict_.found("coupling");
+    return
+        coupling_ == "none" && access != fluidAccess::act && !chosenLater;
 }
 
 
@@ -245,6 +249,7 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const fluidAccess access)
     mesh_(mesh),
     dict_(propertiesFile(mesh)),
     coupling_("none"),
+    effects_(dict_),
     patches_(mesh),
     bins_(mesh),
     cells_(bins_),
@@ -263,12 +268,15 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const fluidAccess access)
     Info<< "demCloud: reading " << dict_.objectPath() << endl;
 
     checkInput();
-    coupling_ = dem::getChoice
-    (
-        dict_,
-        "coupling",
-        {"none", "fluidToParticles", "particlesToFluid", "twoWay"}
-    );
+    if (!effects_.automatic || dict_.found("coupling"))
+    {
+        coupling_ = dem::getChoice
+        (
+            dict_,
+            "coupling",
+            {"none", "fluidToParticles", "particlesToFluid", "twoWay"}
+        );
+    }
     if (access == fluidAccess::none)
     {
         coupling_ = "none";
@@ -281,8 +289,10 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const fluidAccess access)
         network_ = output.getOrDefault<bool>("contactNetwork", false);
     }
 
+    chooseContacts(access);
     const dem::demInput input(solverInput(access));
     dem_ = dem::demSolver::New(input);
+    chooseEffects(access, input.restart);
     patches_.check
     (
         *dem_,

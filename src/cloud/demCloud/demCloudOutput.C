@@ -75,6 +75,11 @@ void Foam::demCloud::putSpheres(Writer& out) const
 void Foam::demCloud::writeBodies() const
 {
     const dem::bodies& state = dem_->state();
+    dictionary effects(chosen_);
+    if (effectWatch_.valid())
+    {
+        effects.set("watch", effectWatch_->state());
+    }
     lagrangianWriter out
     (
         mesh_,
@@ -93,6 +98,7 @@ void Foam::demCloud::writeBodies() const
         immersed_.valid() ? immersed_.get() : nullptr,
         points_.valid() ? points_.get() : nullptr,
         meters_->counters(),
+        effects,
         !advancing_
     );
 }

@@ -279,30 +279,43 @@ Foam::coupling::fluidSampler::fluidSampler
     forces_(forces),
     g_(g),
     scheme_(scheme),
-    needs_(needs)
+    needs_(0)
 {
-    // From here on the solver keeps the old time levels
-    const volVectorField& U = lookup<volVectorField>("U").oldTime();
-    if (this->needs(fluidAtPoint::acceleration))
-    {
-        U.oldTime();
-    }
-    if (this->needs(fluidAtPoint::pressureGradient))
-    {
-        lookup<volScalarField>("p").oldTime();
-    }
-    if (this->needs(fluidAtPoint::turbulence))
-    {
-        lookup<volScalarField>("k").oldTime();
-        lookup<volScalarField>
-        (
-            mesh.foundObject<volScalarField>("epsilon") ? "epsilon" : "omega"
-        ).oldTime();
-    }
+    setNeeds(needs);
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::coupling::fluidSampler::setNeeds(const unsigned needed)
+{
+    const unsigned before = needs_;
+    needs_ = needed;
+    if (before && !(needed & ~before))
+    {
+        return;
+    }
+
+    // From here on the solver keeps the old time levels
+    const volVectorField& U = lookup<volVectorField>("U").oldTime();
+    if (needs(fluidAtPoint::acceleration))
+    {
+        U.oldTime();
+    }
+    if (needs(fluidAtPoint::pressureGradient))
+    {
+        lookup<volScalarField>("p").oldTime();
+    }
+    if (needs(fluidAtPoint::turbulence))
+    {
+        lookup<volScalarField>("k").oldTime();
+        lookup<volScalarField>
+        (
+            mesh_.foundObject<volScalarField>("epsilon") ? "epsilon" : "omega"
+        ).oldTime();
+    }
+}
+
 
 Foam::List<Foam::coupling::fluidAtPoint>
 Foam::coupling::fluidSampler::sample

@@ -327,6 +327,10 @@ void Foam::coupling::pointForces::sample
         }
     }
     state.drag = followsBody_ ? this : nullptr;
+    if (watched_)
+    {
+        sampled_.transfer(fluid);
+    }
     checkRange();
 }
 

@@ -19,7 +19,7 @@ void Foam::dem::verletList::search(const packedBodies& state)
 {
     pairs_.clear();
     const label n = state.nSpheres();
-    if (n < 2)
+    if (n < 2 || !meets_)
     {
         return;
     }

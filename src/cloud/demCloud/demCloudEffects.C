@@ -1,0 +1,212 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "demCloud.H"
+#include "cloudState.H"
+#include "effectChoice.H"
+#include "effectTable.H"
+#include "sceneSurvey.H"
+
+// * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Add the entries of a dictionary that are not there, and those of its
+//  dictionaries
+void addMissing(Foam::dictionary& dict, const Foam::dictionary& more)
+{
+    for (const Foam::entry& e : more)
+    {
+        if (!dict.found(e.keyword()))
+        {
+            dict.add(e);
+        }
+        else if (e.isDict() && dict.isDict(e.keyword()))
+        {
+            addMissing(dict.subDict(e.keyword()), e.dict());
+        }
+    }
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::effectTable Foam::demCloud::judge
+(
+    const dem::demSolver& dem,
+    const bool inFluid
+) const
+{
+    return effectTable
+    (
+        sceneSurvey
+        (
+            mesh_,
+            bins_,
+            dem,
+            inFluid ? sceneFluid(mesh_, dict_, &U()) : sceneFluid()
+        ).numbers(),
+        effects_.target
+    );
+}
+
+
+void Foam::demCloud::chooseContacts(const fluidAccess access)
+{
+    if (!effects_.automatic)
+    {
+        return;
+    }
+    const wordList named(effectChoice::nameContacts(dict_));
+    if (named.size())
+    {
+        // What attracts bodies follows from them, their laws from that
+        dem::demInput input(solverInput(access));
+        input.owner = nullptr;
+        input.restart = true;
+        const autoPtr<dem::demSolver> trial(dem::demSolver::New(input));
+        effectChoice::dropContacts(dict_, named, judge(*trial, false));
+    }
+}
+
+
+void Foam::demCloud::chooseEffects
+(
+    const fluidAccess access,
+    const bool restart
+)
+{
+    if (!effects_.automatic)
+    {
+        return;
+    }
+
+    const wordList free(freeEffects(access));
+    if (restart)
+    {
+        resumeEffects(access);
+        startWatch(free, nullptr);
+        return;
+    }
+    const bool byHand = dict_.found("coupling");
+    const bool inFluid =
+        access != fluidAccess::none
+     && !(byHand && dict_.get<word>("coupling") == "none");
+    const effectTable table(judge(*dem_, inFluid));
+    Info<< "    effects auto, target error " << 100*table.target() << " %"
+        << nl;
+    table.writeNumbers(Info);
+    table.write(Info);
+
+    if (inFluid)
+    {
+        chosen_ = effectChoice::chooseCoupling
+        (
+            dict_,
+            table,
+            access == fluidAccess::act || access == fluidAccess::share,
+            mesh_.time().deltaTValue()
+        );
+        coupling_ = dict_.get<word>("coupling");
+    }
+    chosen_.add("targetError", effects_.target);
+    startWatch(free, &table);
+}
+
+
+Foam::wordList Foam::demCloud::freeEffects(const fluidAccess access) const
+{
+    DynamicList<word> names;
+    if (access == fluidAccess::none)
+    {
+        return wordList();
+    }
+    const dictionary& forces = dict_.subOrEmptyDict("forces");
+    for (const word& name : effectChoice::forces())
+    {
+        const bool other = name == "saffman" && forces.found("mei");
+        if (!forces.found(name) && !other)
+        {
+            names.append(name);
+        }
+    }
+    if (!forces.found("drag"))
+    {
+        names.append("denseDrag");
+    }
+    if (!dict_.found("coupling") && access == fluidAccess::act)
+    {
+        names.append("exchange");
+    }
+    names.append("contacts");
+    return wordList(std::move(names));
+}
+
+
+void Foam::demCloud::startWatch
+(
+    const wordList& names,
+    const effectTable* table
+)
+{
+    if (coupling_ == "none" || !dem_->moves())
+    {
+        return;
+    }
+    effectWatch_.reset(new effectWatch(effects_));
+    const dictionary saved(chosen_.subOrEmptyDict("watch"));
+    const bool points = pointBodies();
+    for (const word& name : names)
+    {
+        if (points || name == "contacts")
+        {
+            effectWatch_->add(name, table && table->on(name));
+        }
+    }
+    if (!table)
+    {
+        effectWatch_->setState(saved);
+    }
+    if (!effectWatch_->on("contacts"))
+    {
+        dem_->setMeets(false, true);
+    }
+}
+
+
+void Foam::demCloud::resumeEffects(const fluidAccess access)
+{
+    const IOdictionary saved(cloudState::counters(mesh_, IOobject::MUST_READ));
+    if (!saved.found("effects"))
+    {
+        FatalIOErrorInFunction(saved)
+            << "effects auto has chosen nothing yet when this time was"
+            << " written." << nl
+            << "    Name the coupling and the forces, which styxAdvise -time "
+            << mesh_.time().timeName() << " can say, or start anew."
+            << exit(FatalIOError);
+    }
+    chosen_ = saved.subDict("effects");
+    dictionary entries(chosen_);
+    entries.remove("targetError");
+    entries.remove("watch");
+    addMissing(dict_, entries);
+    if (access != fluidAccess::none)
+    {
+        coupling_ = dict_.get<word>("coupling");
+    }
+    Info<< "    effects auto goes on with the entries" << nl << entries;
+}
+
+
+// ************************************************************************* //

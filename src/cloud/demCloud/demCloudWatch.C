@@ -1,0 +1,210 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "demCloud.H"
+#include "effectChoice.H"
+#include "effectLaws.H"
+#include "sceneSurvey.H"
+
+#include <cmath>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::HashTable<Foam::scalar> Foam::demCloud::pointShares
+(
+    const bool thorough
+)
+{
+    const effectWatch& watch = *effectWatch_;
+    const dem::bodies& state = dem_->state();
+    HashTable<scalar> shares;
+    scalar largest = 0, volume = 0;
+    forAll(state.x, b)
+    {
+        largest = max(largest, state.shapeOf(b).equivalentDiameter());
+        volume += state.shapeOf(b).volume();
+    }
+    if (!state.size())
+    {
+        return shares;
+    }
+
+    // All ranks know all bodies, and what was sampled at them
+    if (thorough || !(domain_ > 0))
+    {
+        domain_ = gSum(mesh_.V().field());
+        meanCell_ =
+            std::cbrt(domain_/returnReduce(mesh_.nCells(), sumOp<label>()));
+    }
+    const bool crowd =
+        thorough || watch.near("contacts") || state.size() <= 2000;
+    sceneNumbers n;
+    n.nBodies = state.size();
+    n.g = mag(dem_->g());
+    n.meanFraction = volume/domain_;
+    n.fraction =
+        crowd
+      ? sceneSurvey::crowd(state, max(3*largest, meanCell_))
+      : n.meanFraction;
+
+    const List<coupling::fluidAtPoint>& fluid = points_->sampled();
+    const label stride = 1 + state.size()/1000;
+    for (label b = 0; b < state.size(); b += stride)
+    {
+        const coupling::fluidAtPoint& f = fluid[b];
+        n.d = state.shapeOf(b).equivalentDiameter();
+        n.rhoP = state.mass[b]/state.shapeOf(b).volume();
+        n.rhoF = f.rho;
+        n.nu = f.nu;
+        n.slip = mag(f.u - state.v[b]);
+        n.shear = mag(f.curlU);
+        n.spin = mag(0.5*f.curlU - state.omega[b]);
+        for (const effectLaw& law : effectLaws::all())
+        {
+            const bool crowded =
+                law.name == word("contacts") || law.name == word("denseDrag");
+            const bool curled =
+                law.name == word("saffman") && !thorough;
+            if
+            (
+                watch.watches(law.name) && law.asked(n) && !curled
+             && (crowd || !crowded)
+            )
+            {
+                scalar& share = shares(law.name, 0);
+                share = max(share, law.share(n, effects_.target));
+            }
+        }
+    }
+    return shares;
+}
+
+
+void Foam::demCloud::watchPoints()
+{
+    ledger::entry e(ledger_, "watching the effects left out");
+    switchEffects(pointShares(effectWatch_->due()));
+}
+
+
+void Foam::demCloud::watchSolids()
+{
+    const dem::bodies& state = dem_->state();
+    if (!effectWatch_.valid() || !state.size())
+    {
+        return;
+    }
+
+    ledger::entry e(ledger_, "watching the effects left out");
+    scalar cell = GREAT;
+    for (const label c : cells_.find(state))
+    {
+        if (c >= 0)
+        {
+            cell = min(cell, std::cbrt(mesh_.V()[c]));
+        }
+    }
+    reduce(cell, minOp<scalar>());
+
+    // Bodies that come close meet; a crowd is one of them
+    HashTable<scalar> shares;
+    const scalar gap = max(sceneSurvey::smallestGap(state), VSMALL);
+    shares.set("contacts", effects_.target*cell/(0.5*gap));
+    switchEffects(shares);
+}
+
+
+void Foam::demCloud::switchEffects(const HashTable<scalar>& shares)
+{
+    for (const word& name : effectWatch_->judge(shares))
+    {
+        const bool on = effectWatch_->on(name);
+        Info<< "demCloud: effect " << name << " switched "
+            << (on ? "on" : "off") << " at time " << mesh_.time().value()
+            << " s: its share is " << 100*effectWatch_->share(name)
+            << " %, the target " << 100*effects_.target << " %" << endl;
+        switchEffect(name, on);
+    }
+}
+
+
+void Foam::demCloud::switchForce(const word& name, const bool on)
+{
+    // A dictionary has the options of a force
+    dictionary& forces = dict_.subDict("forces");
+    dictionary& chosen = chosen_.subDict("forces");
+    forces.remove(name);
+    chosen.remove(name);
+    if (on && name == "basset")
+    {
+        dictionary memory(forces, dictionary());
+        memory.name() = fileName(forces.name() + '.' + name);
+        memory.add("memory", word("exponentials"));
+        memory.add("window", 10*mesh_.time().deltaTValue());
+        forces.add(name, memory);
+        chosen.add(name, memory);
+    }
+    else if (on)
+    {
+        forces.add(name, word("yes"));
+        chosen.add(name, word("yes"));
+    }
+    points_->setForce(name, forces);
+}
+
+
+void Foam::demCloud::switchExchange(const bool on)
+{
+    coupling_ = on ? "twoWay" : "fluidToParticles";
+    dict_.set("coupling", coupling_);
+    chosen_.set("coupling", coupling_);
+    if (!on)
+    {
+        exchanged_.clear();
+        dem_->state().recordDrag = false;
+        return;
+    }
+    if (!dict_.found("voidFraction"))
+    {
+        dictionary model;
+        model.add("type", word("centroid"));
+        dict_.add("voidFraction", model);
+        chosen_.add("voidFraction", model);
+    }
+    makeExchange(false);
+    exchanged_->start();
+}
+
+
+void Foam::demCloud::switchEffect(const word& name, const bool on)
+{
+    if (name == "contacts")
+    {
+        dem_->setMeets(on, false);
+    }
+    else if (name == "exchange")
+    {
+        switchExchange(on);
+    }
+    else if (name == "denseDrag")
+    {
+        const word law(on ? "gidaspow" : "schillerNaumann");
+        dict_.subDict("forces").set("drag", law);
+        chosen_.subDict("forces").set("drag", law);
+        points_->setDrag(dict_.subDict("forces"));
+    }
+    else
+    {
+        switchForce(name, on);
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,39 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "effectInput.H"
+#include "allowedKeys.H"
+#include "checkedEntry.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::effectInput::effectInput(const dictionary& properties)
+{
+    const wordList types({"asNamed", "auto"});
+    if (!properties.isDict("effects"))
+    {
+        automatic =
+            dem::getChoice(properties, "effects", types, "asNamed") == "auto";
+        return;
+    }
+
+    const dictionary& dict = properties.subDict("effects");
+    dem::checkKeys(dict, {"type", "targetError", "interval"});
+    automatic = dem::getChoice(dict, "type", types, "asNamed") == "auto";
+    target = dem::getPositive(dict, "targetError", target);
+    if (target < 1e-6 || target > 0.5)
+    {
+        dem::badEntry(dict, "targetError", "may be 1e-6 to 0.5");
+    }
+    interval = dem::getLabel(dict, "interval", 1, interval);
+}
+
+
+// ************************************************************************* //
