@@ -20,6 +20,15 @@ namespace Foam
     defineTypeNameAndDebug(demCloud, 0);
 }
 
+namespace
+{
+
+//- Under this name the ledger has what forces on points cost but for what is
+//  known by another name
+const char* const points = "other on points";
+
+} // End anonymous namespace
+
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -102,18 +111,29 @@ void Foam::demCloud::checkFinite() const
 }
 
 
-void Foam::demCloud::noteExchange()
+void Foam::demCloud::noteTimes()
 {
     const scalar all = dem_->exchangeTime();
     if (all > exchangeTime_)
     {
         ledger_.move
         (
-            "bodies (contacts, motion)",
+            ledger::ofBodies,
             "exchange between ranks",
             all - exchangeTime_
         );
         exchangeTime_ = all;
+    }
+    if (dem_->nTimed())
+    {
+        ledger_.setPart("neighbours", dem_->neighbourTime());
+        ledger_.setPart
+        (
+            "contacts and walls, by one step in 64",
+            dem_->contactTime()
+        );
+        ledger_.addBookings(dem_->nTimed() - nTimed_);
+        nTimed_ = dem_->nTimed();
     }
 }
 
@@ -174,6 +194,11 @@ void Foam::demCloud::samplePoints()
       ? exchanged_->equations()
       : coupling::averagedEquations::none
     );
+    for (const auto& t : points_->times().seconds())
+    {
+        ledger_.move(points, t.first, t.second);
+    }
+    ledger_.addBookings(points_->times().nLaps());
     if (interval_.valid())
     {
         interval_->exchanged(state, *points_);
@@ -211,7 +236,7 @@ void Foam::demCloud::beginStep()
     const scalar t0 = t1 - time.deltaTValue();
 
     {
-        ledger::entry e(ledger_, "bodies (contacts, motion)");
+        ledger::entry e(ledger_, ledger::ofBodies);
 
         followMesh(t0, t1);
         removeLeaving(t0);
@@ -223,12 +248,12 @@ void Foam::demCloud::beginStep()
 
     if (points_.valid())
     {
-        ledger::entry e(ledger_, "forces of the fluid on points");
+        ledger::entry e(ledger_, points);
         samplePoints();
     }
 
     {
-        ledger::entry e(ledger_, "bodies (contacts, motion)");
+        ledger::entry e(ledger_, ledger::ofBodies);
 
         if (immersed_.valid())
         {
@@ -237,12 +262,12 @@ void Foam::demCloud::beginStep()
         }
         meters_->begin(*dem_);
         advancing_ = true;
-        dem_->advance(t0, t1);
+        advanceBodies(t0, t1);
         advancing_ = false;
         meters_->end(*dem_, t0, t1);
         checkFinite();
     }
-    noteExchange();
+    noteTimes();
 
     if (exchanged_.valid())
     {
@@ -351,6 +376,14 @@ void Foam::demCloud::endStep()
         exchange_.Re = points_->largestRe();
     }
     ledger_.line(*dem_, exchange_);
+    if (interval_.valid())
+    {
+        ledger_.limitFluid(deltaTBound());
+    }
+    if (watchdog_.valid() && exchange_.active)
+    {
+        checkExchange();
+    }
     exchange_ = ledger::exchange();
 }
 
@@ -361,7 +394,12 @@ void Foam::demCloud::close()
     finishWriting();
     if (!ledger_.closed())
     {
-        ledger_.close();
+        ledger_.close
+        (
+            mesh_.time().rootPath()/mesh_.time().globalCaseName()
+           /"postProcessing"/"demCloud"/"ledger.dat",
+            dem_->group().sum(dem_->state().kineticEnergy())
+        );
         if (interval_.valid())
         {
             interval_->writeSummary(Info);

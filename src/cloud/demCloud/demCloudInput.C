@@ -70,7 +70,8 @@ void Foam::demCloud::checkInput() const
             "bodies", "generators", "sinks", "meters", "contact", "walls",
             "integrator", "stepControl", "neighbours", "immersed", "forces",
             "voidFraction", "momentumExchange", "interface",
-            "couplingInterval", "output", "start", "effects"
+            "couplingInterval", "output", "start", "effects",
+            "watchdog"
         }
     );
 }
@@ -105,7 +106,8 @@ bool Foam::demCloud::sharesOut(const fluidAccess access) const
         effects_.automatic && access != fluidAccess::none
      && !dict_.found("coupling");
     return
-        coupling_ == "none" && access != fluidAccess::act && !chosenLater;
+        coupling_ == "none" && access != fluidAccess::act && !chosenLater
+     && !dict_.found("watchdog");
 }
 
 
@@ -144,16 +146,7 @@ Foam::dem::demInput Foam::demCloud::solverInput(const fluidAccess access)
         {
             checkSize(s, d);
         };
-    input.save =
-        [this]()
-        {
-            const_cast<Time&>(mesh_.time()).writeNow();
-            if (writeOpt() != IOobject::AUTO_WRITE)
-            {
-                write();
-            }
-            finishWriting();
-        };
+    input.save = [this]() { saveState(); };
     return input;
 }
 
@@ -353,6 +346,8 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const fluidAccess access)
         refineInitially(input.restart);
     }
 
+    readWatchdog();
+
     if (!input.restart)
     {
         cloudState::markStart(mesh);
@@ -363,7 +358,15 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const fluidAccess access)
         << " spheres"
         << (dem_->group().shared() ? ", shared out between the ranks" : "")
         << endl;
-    check(false).writeAdvice(Info);
+    const caseCheck looked(check(false));
+    looked.writeAdvice(Info);
+    for (const caseCheck::figure& f : looked.figures())
+    {
+        if (immersed_.valid() && f.name == "cellsOverDiameter")
+        {
+            ledger_.setCells(f.value);
+        }
+    }
 }
 
 

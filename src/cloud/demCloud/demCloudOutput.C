@@ -217,6 +217,7 @@ void Foam::demCloud::finishWriting()
 
 bool Foam::demCloud::writeObject(STYX_WRITE_OBJECT_PARAMETERS) const
 {
+    const ledger::entry e(ledger_, "output");
     cloudState::begin(mesh_);
     writeBodies();
     writeSpheres();

@@ -89,8 +89,15 @@ Foam::HashTable<Foam::scalar> Foam::demCloud::pointShares
 
 void Foam::demCloud::watchPoints()
 {
-    ledger::entry e(ledger_, "watching the effects left out");
+    const auto start = ledger::clock::now();
     switchEffects(pointShares(effectWatch_->due()));
+    ledger_.move
+    (
+        "other on points",
+        "watching the effects left out",
+        std::chrono::duration<scalar>(ledger::clock::now() - start).count()
+    );
+    ledger_.addBookings(1);
 }
 
 

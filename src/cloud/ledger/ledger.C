@@ -9,29 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "ledger.H"
-
-#include <algorithm>
-#include <vector>
-
-// * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
-
-namespace
-{
-
-//- The limits of the steps, most frequent first: "contact 12, end 1"
-std::string listed(const Foam::HashTable<Foam::label>& limits)
-{
-    std::string text;
-    for (const Foam::word& name : limits.sortedToc())
-    {
-        text += (text.empty() ? "" : ", ") + name + ' '
-          + std::to_string(limits[name]);
-    }
-    return text.empty() ? "none" : text;
-}
-
-} // End anonymous namespace
-
+#include "limitsText.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -56,6 +34,10 @@ Foam::scalar Foam::ledger::whole() const
 
 Foam::ledger::ledger()
 :
+    nBooked_(0),
+    energyGain_(-1),
+    nBack_(0),
+    cells_(0),
     start_(clock::now()),
     stepOwn_(0),
     stepWhole_(0),
@@ -110,7 +92,7 @@ void Foam::ledger::line
 
     Info<< "demCloud: " << dem.nBodies() << " bodies, fastest " << fastest
         << " m/s, " << report.nSteps
-        << " steps (" << listed(report.limits).c_str() << "), "
+        << " steps (" << limitsText(report.limits).c_str() << "), "
         << report.nRejected << " undone, " << report.nContacts
         << " contacts, overlap " << 100*report.overlap << " %";
 
@@ -146,54 +128,6 @@ void Foam::ledger::line
     }
 
     Info<< ", " << share << " % of the time" << endl;
-}
-
-
-void Foam::ledger::close()
-{
-    if (closed())
-    {
-        return;
-    }
-    closed_ = true;
-
-    const scalar all = max(whole(), VSMALL);
-    const auto percent = [all](const scalar t) { return 100*t/all; };
-
-    Info<< nl << "demCloud: summary" << nl
-        << "    " << nFluidSteps_ << " fluid steps, " << nSteps_
-        << " steps of the bodies, " << nRejected_ << " more undone" << nl;
-    if (nSteps_)
-    {
-        Info<< "    Steps from " << dtMin_ << " to " << dtMax_
-            << " s, limited by: " << listed(limits_).c_str() << nl;
-    }
-    Info<< "    " << nEntered_ << " bodies entered, " << nLeft_
-        << " left the domain" << nl
-        << "    Largest overlap " << 100*maxOverlap_
-        << " % of the smaller radius" << nl;
-    if (maxVolumeError_ > 0 || maxMismatch_ > 0)
-    {
-        Info<< "    What the bodies received and what the momentum equation"
-            << " got differ by " << maxMismatch_ << " at most" << nl
-            << "    Volume of the bodies on the mesh: error "
-            << 100*maxVolumeError_ << " % at most" << nl;
-    }
-
-    Info<< "    Wall time " << all << " s, of which" << nl;
-    std::vector<std::pair<scalar, std::string>> sorted;
-    for (const auto& t : times_)
-    {
-        sorted.emplace_back(t.second, t.first);
-    }
-    std::sort(sorted.rbegin(), sorted.rend());
-    for (const auto& t : sorted)
-    {
-        Info<< "        " << t.second.c_str() << ": " << t.first << " s, "
-            << percent(t.first) << " %" << nl;
-    }
-    Info<< "        everything else (fluid, mesh): " << all - own() << " s, "
-        << percent(all - own()) << " %" << nl << endl;
 }
 
 

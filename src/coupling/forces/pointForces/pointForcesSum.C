@@ -208,38 +208,73 @@ Foam::vector Foam::coupling::pointForces::meanTorque
 }
 
 
+Foam::List<Foam::coupling::pointSum>
+Foam::coupling::pointForces::sumForces
+(
+    List<fluidAtPoint>& fluid,
+    List<vector>& change,
+    const scalar dt
+)
+{
+    const label n = dem_.state().size();
+    DynamicList<pointBody> bodies(n);
+    change.setSize(n);
+    for (label b = 0; b < n; ++b)
+    {
+        bodies.append(bodyOf(b, dt));
+        change[b] = fluid[b].u;
+    }
+
+    // Force by force, so that the time of each is known
+    for (pointForce& f : forces_)
+    {
+        for (label b = 0; b < n; ++b)
+        {
+            if (fluid[b].rho > 0)
+            {
+                f.note(bodies[b], fluid[b]);
+            }
+        }
+        times_.lap("force " + f.type());
+    }
+    List<pointSum> sums(n);
+    for (const pointForce& f : forces_)
+    {
+        for (label b = 0; b < n; ++b)
+        {
+            if (fluid[b].rho > 0)
+            {
+                f.add(bodies[b], fluid[b], sums[b]);
+            }
+        }
+        times_.lap("force " + f.type());
+    }
+    for (label b = 0; b < n; ++b)
+    {
+        change[b] = fluid[b].u - change[b];
+    }
+    return sums;
+}
+
+
 void Foam::coupling::pointForces::act
 (
     const label b,
-    fluidAtPoint& fluid,
+    const pointSum& sum,
+    const vector& change,
+    const fluidAtPoint& fluid,
     UList<fluidAtPoint>& atElements,
     const scalar dt
 )
 {
     dem::bodies& state = dem_.state();
 
-    pointSum sum;
-    if (fluid.rho > 0)
+    // The spheres of a clump see the same change; a single one is fluid itself
+    if (fluid.rho > 0 && atElements.size() > 1)
     {
-        const pointBody body(bodyOf(b, dt));
-        const vector sampled = fluid.u;
-        for (pointForce& f : forces_)
+        for (fluidAtPoint& f : atElements)
         {
-            f.note(body, fluid);
-        }
-
-        // The spheres of a clump see the same change; a single one is fluid
-        // itself
-        if (atElements.size() > 1)
-        {
-            for (fluidAtPoint& f : atElements)
-            {
-                f.u += fluid.u - sampled;
-            }
-        }
-        for (const pointForce& f : forces_)
-        {
-            f.add(body, fluid, sum);
+            f.u += change;
         }
     }
 
@@ -300,8 +335,13 @@ void Foam::coupling::pointForces::sample
     const label n = state.size();
 
     labelList near;
+    times_.start();
     const pointField points(elementPoints(near));
+    times_.lap("locating");
     List<fluidAtPoint> fluid(sampler_->sample(points, near, U, alpha));
+    times_.lap("sampling of the fluid");
+    List<vector> change;
+    const List<pointSum> sums(sumForces(fluid, change, dt));
 
     elements_.setSize(first_[n]);
     fluidVelocity_.setSize(n);
@@ -315,9 +355,10 @@ void Foam::coupling::pointForces::sample
         const label nElements = first_[b + 1] - first_[b];
         const bool whole = nElements == 1;
         SubList<fluidAtPoint> own(fluid, nElements, whole ? b : next);
-        act(b, fluid[b], own, dt);
+        act(b, sums[b], change[b], fluid[b], own, dt);
         next += whole ? 0 : nElements;
     }
+    times_.lap("drag");
 
     for (pointForce& f : forces_)
     {

@@ -13,6 +13,8 @@ License
 #include "overlapRelaxation.H"
 #include "addToRunTimeSelectionTable.H"
 
+#include <chrono>
+
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
 namespace Foam
@@ -23,6 +25,22 @@ namespace dem
     addToRunTimeSelectionTable(demSolver, hadesSolver, input);
 }
 }
+
+
+// * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
+
+namespace
+{
+
+Foam::scalar secondsSince(const std::chrono::steady_clock::time_point& start)
+{
+    return std::chrono::duration<Foam::scalar>
+    (
+        std::chrono::steady_clock::now() - start
+    ).count();
+}
+
+} // End anonymous namespace
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -99,10 +117,19 @@ void Foam::dem::hadesSolver::computeForces
         {
             exchange_->reachOut(packed_, list_, walls_);
         }
+        const auto start = std::chrono::steady_clock::now();
         list_.build(packed_);
         walls_.build(packed_, list_.allowed(), 0.5*list_.skin());
+        neighbourTime_ += secondsSince(start);
+        ++nListsTimed_;
     }
 
+    // To read the clock each time would cost as much as a few contacts
+    const bool timed = nSweeps_++ % 64 == 0;
+    const auto start =
+        timed
+      ? std::chrono::steady_clock::now()
+      : std::chrono::steady_clock::time_point();
     summary_ = contacts_.addForces
     (
         packed_,
@@ -112,6 +139,11 @@ void Foam::dem::hadesSolver::computeForces
         integrator_->leaps() ? 0.5*(lastDt_ + dt) : 0,
         onTrial
     );
+    if (timed)
+    {
+        sweepTime_ += secondsSince(start);
+        ++nSweepsTimed_;
+    }
     shareSummary();
 }
 
