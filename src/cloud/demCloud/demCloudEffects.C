@@ -70,10 +70,11 @@ void Foam::demCloud::chooseContacts(const fluidAccess access)
     const wordList named(effectChoice::nameContacts(dict_));
     if (named.size())
     {
-        // What attracts bodies follows from them, their laws from that
+        // What attracts bodies follows from them, their laws from that; in a
+        // restart from those of the first start, so that nothing changes
         dem::demInput input(solverInput(access));
         input.owner = nullptr;
-        input.restart = true;
+        input.restart = false;
         const autoPtr<dem::demSolver> trial(dem::demSolver::New(input));
         effectChoice::dropContacts(dict_, named, judge(*trial, false));
     }
@@ -108,6 +109,11 @@ void Foam::demCloud::chooseEffects
     table.writeNumbers(Info);
     table.write(Info);
 
+    if (access == fluidAccess::share && !byHand)
+    {
+        // The equations have the void fraction
+        dict_.add("coupling", word("twoWay"));
+    }
     if (inFluid)
     {
         chosen_ = effectChoice::chooseCoupling
