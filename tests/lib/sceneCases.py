@@ -44,9 +44,9 @@ def velocityField(n, profile, edge):
 
 def makeCase(name, edge, n, properties, rho=None, nu=1e-6, U="(0 0 0)",
              wall="fixedValue; value uniform (0 0 0)", deltaT=1e-4,
-             endTime=1e-3, gravity=True, options="", kind="wall"):
-    """A box with an edge and n cells in each direction; without rho there is
-    no fluid."""
+             endTime=1e-3, gravity=True, options="", kind="wall", levels=0):
+    """A box with an edge and n cells in each direction, which the mesh can
+    halve so many times; without rho there is no fluid."""
     faces = ("(0 4 7 3)", "(1 2 6 5)", "(0 1 5 4)", "(3 7 6 2)", "(0 3 2 1)",
              "(4 5 6 7)")
     x, y, z = edge
@@ -82,6 +82,12 @@ PIMPLE { pRefCell 0; pRefValue 0; nCorrectors 2; }
 numberOfSubdomains 2; method simple;
 simpleCoeffs { n (2 1 1); delta 0.001; }
 """)
+    if levels:
+        write(name, "constant/dynamicMeshDict", "dictionary", """
+dynamicFvMesh dynamicRefineFvMesh;
+dynamicRefineFvMeshCoeffs
+{ refineInterval 1; maxRefinement %d; maxCells 2000000; }
+""" % levels)
     if gravity:
         write(name, "constant/g", "uniformDimensionedVectorField",
               "dimensions [0 1 -2 0 0 0 0]; value (0 0 -9.81);\n")
@@ -203,8 +209,8 @@ scenes = {
             "rotation", "walls", "exchange", "averaging"],
         off=["virtualMass", "basset", "saffman", "lubrication", "immersed"]),
     "5_sphereInTank": dict(
-        case=dict(edge=(0.1, 0.1, 0.16), n=(80, 80, 128), rho=962,
-                  nu=0.113/962, properties=dem(
+        case=dict(edge=(0.1, 0.1, 0.16), n=(10, 10, 16), rho=962,
+                  nu=0.113/962, levels=3, properties=dem(
                       1120, 0.015, one((0.05, 0.05, 0.12)))),
         on=["immersed", "refinement"],
         off=points + ["averaging", "contacts"]),
