@@ -67,6 +67,7 @@ void Foam::coupling::cellBins::update()
 {
     findRadii();
     tree_.clear();
+    nSought_ = 0;
 
     const pointField& cc = mesh_.cellCentres();
     const label nCells = cc.size();
@@ -197,30 +198,37 @@ Foam::label Foam::coupling::cellBins::find
     const pointField& cc = mesh_.cellCentres();
     label found = -1;
     scalar least = 1e-6;
-    tree_.forEach
-    (
-        p,
-        [&](const label c)
+    const scalar ball = 1e-6*maxRadius_;
+    const auto compare = [&](const label c)
+    {
+        if (magSqr(cc[c] - p) > sqr(ball + radius_[c]))
         {
-            if (magSqr(cc[c] - p) > sqr(1e-6*maxRadius_ + radius_[c]))
-            {
-                return;
-            }
-            const scalar d = outside(p, c);
-            if
-            (
-                d < least
-             || (
-                    found < 0
-                 && mesh_.pointInCell(p, c, polyMesh::FACE_CENTRE_TRIS)
-                )
-            )
-            {
-                found = c;
-                least = min(d, least);
-            }
+            return;
         }
-    );
+        const scalar d = outside(p, c);
+        if
+        (
+            d < least
+         || (
+                found < 0
+             && mesh_.pointInCell(p, c, polyMesh::FACE_CENTRE_TRIS)
+            )
+        )
+        {
+            found = c;
+            least = min(d, least);
+        }
+    };
+
+    // To make the tree pays when many are sought
+    if (100*++nSought_ < mesh_.nCells())
+    {
+        forEach(p, 2*ball, compare);
+    }
+    else
+    {
+        tree_.forEach(p, compare);
+    }
     return found;
 }
 

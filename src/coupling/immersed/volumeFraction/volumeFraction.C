@@ -30,79 +30,7 @@ Foam::scalar Foam::coupling::volumeFraction::negativeFraction
     const FixedList<scalar, 4>& phi
 )
 {
-    // Sorted by five comparisons
-    FixedList<scalar, 4> f(phi);
-    const auto order = [&f](const label i, const label j)
-    {
-        const scalar low = min(f[i], f[j]);
-        f[j] = max(f[i], f[j]);
-        f[i] = low;
-    };
-    order(0, 1);
-    order(2, 3);
-    order(0, 2);
-    order(1, 3);
-    order(1, 2);
-
-    if (f[0] >= 0)
-    {
-        return 0;
-    }
-    if (f[3] <= 0)
-    {
-        return 1;
-    }
-
-    // Where the plane cuts the edge from corner i to corner j
-    const auto cut = [&f](const label i, const label j)
-    {
-        return f[i]/(f[i] - f[j]);
-    };
-
-    if (f[1] >= 0)
-    {
-        return cut(0, 1)*cut(0, 2)*cut(0, 3);
-    }
-    if (f[2] < 0)
-    {
-        return 1 - cut(3, 0)*cut(3, 1)*cut(3, 2);
-    }
-
-    // A wedge between corners 0 and 1, cut into three tetrahedra
-    const scalar c02 = cut(0, 2), c03 = cut(0, 3);
-    const scalar c12 = cut(1, 2), c13 = cut(1, 3);
-    return c02*c03 + c02*(1 - c03)*c13 + (1 - c02)*c12*c13;
-}
-
-
-Foam::scalar Foam::coupling::volumeFraction::insideLinear
-(
-    const bodyGeometry& body,
-    const tet& t
-)
-{
-    const point mean = 0.25*(t[0].x + t[1].x + t[2].x + t[3].x);
-    const vector r =
-        oneSphere(t)
-      ? body.fromCentre(t[0].ball, mean)
-      : body.fromNearestCentre(mean);
-    const scalar rho = max(mag(r), VSMALL);
-    const vector n = r/rho;
-
-    scalar bulge = 0;
-    for (label k = 0; k < 4; ++k)
-    {
-        const vector d = body.inPlane(t[k].x - mean);
-        bulge += magSqr(d) - sqr(d & n);
-    }
-    bulge *= 0.1/rho;
-
-    FixedList<scalar, 4> phi;
-    forAll(phi, k)
-    {
-        phi[k] = t[k].phi - bulge;
-    }
-    return negativeFraction(phi);
+    return cutTets::negativeFraction(phi[0], phi[1], phi[2], phi[3]);
 }
 
 
@@ -166,23 +94,50 @@ Foam::label Foam::coupling::volumeFraction::side
 }
 
 
-Foam::scalar Foam::coupling::volumeFraction::inside
+void Foam::coupling::volumeFraction::addLinear
+(
+    const bodyGeometry& body,
+    const tet& t,
+    const scalar V,
+    cutTets& cut
+)
+{
+    label ball = t[0].ball;
+    if (!oneSphere(t))
+    {
+        scalar phi;
+        ball = body.nearest(0.25*(t[0].x + t[1].x + t[2].x + t[3].x), phi);
+    }
+
+    const label k = cut.append(body.centre(ball), V);
+    for (label c = 0; c < 4; ++c)
+    {
+        cut.setCorner(k, c, t[c].x, t[c].phi);
+    }
+}
+
+
+void Foam::coupling::volumeFraction::addInside
 (
     const bodyGeometry& body,
     const tet& t,
     const scalar edge2,
     const label refinements,
-    const label creases
+    const label creases,
+    const scalar V,
+    cutTets& cut
 )
 {
     const label where = side(body, t, edge2);
     if (where)
     {
-        return where > 0 ? 0 : 1;
+        cut.addWhole(where > 0 ? 0 : V);
+        return;
     }
     if (!refinements && !(creases && creased(t)))
     {
-        return insideLinear(body, t);
+        addLinear(body, t, V, cut);
+        return;
     }
 
     const auto middle = [&](const label i, const label j)
@@ -207,15 +162,20 @@ Foam::scalar Foam::coupling::volumeFraction::inside
     const scalar partEdge2 = max(0.25*edge2, magSqr(m01.x - m23.x));
 
     // All of the same volume
-    scalar sum = 0;
     for (const tet& part : parts)
     {
-        sum +=
-            refinements
-          ? inside(body, part, partEdge2, refinements - 1, creases)
-          : inside(body, part, partEdge2, 0, creases - 1);
+        if (refinements)
+        {
+            addInside
+            (
+                body, part, partEdge2, refinements - 1, creases, V/8, cut
+            );
+        }
+        else
+        {
+            addInside(body, part, partEdge2, 0, creases - 1, V/8, cut);
+        }
     }
-    return sum/8;
 }
 
 
@@ -252,7 +212,7 @@ Foam::scalar Foam::coupling::volumeFraction::operator()
     const pointField& points = mesh_.points();
     const corner atCentre(body, centre);
     DynamicList<corner, 12> fan;
-    scalar sum = 0;
+    cutTets cut(body.solved());
     scalar all = 0;
 
     for (const label f : mesh_.cells()[cell])
@@ -278,13 +238,13 @@ Foam::scalar Foam::coupling::volumeFraction::operator()
             const tet t(atCentre, fan[0], fan[k - 1], fan[k]);
             const scalar V = volume(t);
             all += V;
-            sum += V*inside(body, t, longest2(t), refinements, 3);
+            addInside(body, t, longest2(t), refinements, 3, V, cut);
         }
     }
 
     // Round-off, which depends on the order of the faces and so on the ranks,
     // must not make a cut cell of a full one
-    const scalar beta = sum/max(all, VSMALL);
+    const scalar beta = cut.sum()/max(all, VSMALL);
     return beta > 1 - 1e-9 ? 1 : beta < 1e-9 ? 0 : beta;
 }
 

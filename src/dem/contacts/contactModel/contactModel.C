@@ -202,6 +202,10 @@ Foam::dem::contactSummary Foam::dem::contactModel::addForces
     const bool onTrial
 )
 {
+    if (list.refresh(state) || !walls.narrowed())
+    {
+        walls.narrow(state, list.allowedNear());
+    }
     walls.findTouches(state);
 
     sweepData data;
@@ -216,7 +220,6 @@ Foam::dem::contactSummary Foam::dem::contactModel::addForces
     data.laws = &laws_;
     data.dt = dt;
     data.ahead = between > 0 ? 0.5*dt/between : 0;
-    list.refresh(state);
     list.give(data, onTrial);
     giveWalls(walls, walls.padded(nLanes()), data);
     data.wallRolled = walls.rolled();

@@ -289,9 +289,10 @@ void Foam::dem::verletList::build(const packedBodies& state)
 }
 
 
-void Foam::dem::verletList::refresh(const packedBodies& state)
+bool Foam::dem::verletList::refresh(const packedBodies& state)
 {
-    if (near_.over(state))
+    const bool outdated = near_.over(state);
+    if (outdated)
     {
         adapt();
         setNear(state);
@@ -303,6 +304,7 @@ void Foam::dem::verletList::refresh(const packedBodies& state)
         renew_ = true;
         relativeSkin_ = tuner_->skin();
     }
+    return outdated;
 }
 
 

@@ -14,32 +14,6 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::dem::wallSet::findNear
-(
-    const label sphere,
-    const label image,
-    const point& centre,
-    const scalar reach
-)
-{
-    DynamicList<label> elements;
-    forAll(walls_, w)
-    {
-        // What does not end is there anyway
-        if (image != periodicity::original && !walls_[w].bounded())
-        {
-            continue;
-        }
-        elements.clear();
-        walls_[w].candidates(centre, reach, elements);
-        for (const label e : elements)
-        {
-            near_.append(neighbour{sphere, w, e, image});
-        }
-    }
-}
-
-
 inline bool Foam::dem::wallSet::touches
 (
     const neighbour& n,
@@ -169,21 +143,22 @@ void Foam::dem::wallSet::find
 ) const
 {
     // Contacts are made where they stay, and the room for them is there
-    list.trial.setSize(near_.size());
+    const DynamicList<neighbour>& near = narrowed_ ? near_ : all_;
+    list.trial.setSize(near.size());
 
     label end = 0;
     label old = 0;
-    for (label k = 0; k < near_.size();)
+    for (label k = 0; k < near.size();)
     {
-        const label sphere = near_[k].sphere;
+        const label sphere = near[k].sphere;
         const point x = state.centre(sphere);
         const scalar r = state.radius(sphere);
         const scalar reach = reaching ? reachOf(r) : 0;
 
         const label begin = end;
-        for (; k < near_.size() && near_[k].sphere == sphere; ++k)
+        for (; k < near.size() && near[k].sphere == sphere; ++k)
         {
-            if (touches(near_[k], x, r, reach, list.trial[end]))
+            if (touches(near[k], x, r, reach, list.trial[end]))
             {
                 ++end;
             }
@@ -277,69 +252,6 @@ void Foam::dem::wallSet::touchList::renumber(const labelUList& newIndex)
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::dem::wallSet::build
-(
-    const packedBodies& state,
-    const UList<scalar>& allowed,
-    const scalar own
-)
-{
-    near_.clear();
-    builtT_ = t_;
-    renewed_ = false;
-
-    for (label s = 0; s < state.nSpheres(); ++s)
-    {
-        if (!state.owns(state.bodyOf(s)))
-        {
-            continue;
-        }
-        const point c = state.centre(s);
-        const scalar r = state.radius(s);
-        const scalar reach =
-            r + allowed[s] + own + (reaches() ? reachOf(r) : 0);
-
-        findNear(s, periodicity::original, c, reach);
-        period_.forEachImage
-        (
-            c,
-            reach,
-            [&](const label image)
-            {
-                findNear(s, image, c + period_.shift(image), reach);
-            }
-        );
-    }
-}
-
-
-void Foam::dem::wallSet::touching
-(
-    const point& centre,
-    const scalar radius,
-    DynamicList<label>& elements
-) const
-{
-    for (const wall& w : walls_)
-    {
-        w.candidates(centre, radius, elements);
-        if (!w.bounded())
-        {
-            continue;
-        }
-        period_.forEachImage
-        (
-            centre,
-            radius,
-            [&](const label image)
-            {
-                w.candidates(centre + period_.shift(image), radius, elements);
-            }
-        );
-    }
-}
-
 
 void Foam::dem::wallSet::findTouches(const packedBodies& state)
 {
@@ -435,34 +347,12 @@ const Foam::dem::wallTouch* Foam::dem::wallSet::inTheWay
 }
 
 
-bool Foam::dem::wallSet::isNear
-(
-    const label wallI,
-    const label firstSphere,
-    const label lastSphere
-) const
-{
-    for (const neighbour& n : near_)
-    {
-        if
-        (
-            n.wallI == wallI
-         && n.sphere >= firstSphere
-         && n.sphere < lastSphere
-        )
-        {
-            return true;
-        }
-    }
-    return false;
-}
-
-
 void Foam::dem::wallSet::renumber(const labelUList& newIndex)
 {
     contacts_.renumber(newIndex);
     reached_.renumber(newIndex);
-    near_.clear();
+    all_.clear();
+    narrowed_ = false;
 }
 
 

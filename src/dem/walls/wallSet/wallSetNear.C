@@ -1,0 +1,161 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "wallSet.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::dem::wallSet::findNear
+(
+    const label sphere,
+    const label image,
+    const point& centre,
+    const scalar reach
+)
+{
+    DynamicList<label> elements;
+    forAll(walls_, w)
+    {
+        // What does not end is there anyway
+        if (image != periodicity::original && !walls_[w].bounded())
+        {
+            continue;
+        }
+        elements.clear();
+        walls_[w].candidates(centre, reach, elements);
+        for (const label e : elements)
+        {
+            all_.append(neighbour{sphere, w, e, image});
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dem::wallSet::build
+(
+    const packedBodies& state,
+    const UList<scalar>& allowed,
+    const scalar own
+)
+{
+    all_.clear();
+    narrowed_ = false;
+    builtT_ = t_;
+    renewed_ = false;
+
+    // A wall that begins to move makes them outdated
+    own_ = speed_ > 0 ? own : 0;
+
+    for (label s = 0; s < state.nSpheres(); ++s)
+    {
+        if (!state.owns(state.bodyOf(s)))
+        {
+            continue;
+        }
+        const point c = state.centre(s);
+        const scalar r = state.radius(s);
+        const scalar reach =
+            r + allowed[s] + own_ + (reaches() ? reachOf(r) : 0);
+
+        findNear(s, periodicity::original, c, reach);
+        period_.forEachImage
+        (
+            c,
+            reach,
+            [&](const label image)
+            {
+                findNear(s, image, c + period_.shift(image), reach);
+            }
+        );
+    }
+}
+
+
+void Foam::dem::wallSet::narrow
+(
+    const packedBodies& state,
+    const UList<scalar>& allowed
+)
+{
+    near_.clear();
+    narrowed_ = true;
+    point p;
+    vector n;
+    for (const neighbour& k : all_)
+    {
+        point x = state.centre(k.sphere);
+        if (k.image != periodicity::original)
+        {
+            x += period_.shift(k.image);
+        }
+        const scalar r = state.radius(k.sphere);
+        const scalar reach =
+            r + allowed[k.sphere] + own_ + (reaches() ? reachOf(r) : 0);
+        if (walls_[k.wallI].nearest(x, k.element, p, n) < reach)
+        {
+            near_.append(k);
+        }
+    }
+}
+
+
+void Foam::dem::wallSet::touching
+(
+    const point& centre,
+    const scalar radius,
+    DynamicList<label>& elements
+) const
+{
+    for (const wall& w : walls_)
+    {
+        w.candidates(centre, radius, elements);
+        if (!w.bounded())
+        {
+            continue;
+        }
+        period_.forEachImage
+        (
+            centre,
+            radius,
+            [&](const label image)
+            {
+                w.candidates(centre + period_.shift(image), radius, elements);
+            }
+        );
+    }
+}
+
+
+bool Foam::dem::wallSet::isNear
+(
+    const label wallI,
+    const label firstSphere,
+    const label lastSphere
+) const
+{
+    for (const neighbour& n : all_)
+    {
+        if
+        (
+            n.wallI == wallI
+         && n.sphere >= firstSphere
+         && n.sphere < lastSphere
+        )
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+// ************************************************************************* //
