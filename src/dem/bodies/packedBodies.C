@@ -37,6 +37,8 @@ void Foam::dem::packedBodies::packClump(const bodies& state, const label b)
     c.last = state.firstSphere[b + 1];
     c.copied = !state.owns(b);
     c.form = &state.shapeOf(b);
+    c.centres = c.form->centres().cdata()->cdata();
+    c.radius = c.form->boundingRadius();
     c.mass = state.mass[b];
     c.inertia = state.inertia[b];
     c.x = state.x[b];
@@ -48,14 +50,13 @@ void Foam::dem::packedBodies::packClump(const bodies& state, const label b)
 
     for (label s = c.first; s < c.last; ++s)
     {
-        now_.x(s).w = 1/c.mass;
         now_.v(s).w = state.sphereR[s];
-        now_.w[s].w = state.sphereR[s];
     }
-    const tensor R = c.q.R();
-    spread(c, R, R);
-
     place_[b] = label(clumps_.size());
+    if (!c.copied)
+    {
+        ownClump_.push_back(place_[b]);
+    }
     clumps_.push_back(c);
 }
 
@@ -142,6 +143,7 @@ void Foam::dem::packedBodies::pack(const bodies& state, const vector& g)
     }
 
     clumps_.clear();
+    ownClump_.clear();
     single_.clear();
     singleBody_.clear();
     place_.resize(nBodies_);
@@ -163,6 +165,8 @@ void Foam::dem::packedBodies::pack(const bodies& state, const vector& g)
             singleBody_.push_back(b);
         }
     }
+
+    spreadAll();
 
     material_.clear();
     if (!oneMaterial)

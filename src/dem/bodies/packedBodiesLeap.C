@@ -10,35 +10,60 @@ License
 
 #include "packedBodies.H"
 #include "quadRecords.H"
-#include "rotation.H"
 
 using Foam::dem::quadRecords::record;
 using Foam::dem::quadRecords::vectorOf;
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::dem::packedBodies::spread
+Foam::dem::clumpData Foam::dem::packedBodies::clumpsFrom
 (
-    const clump& c,
-    const tensor& R0,
-    const tensor& R
+    const records& from,
+    const std::vector<clump>& clumps
 )
 {
-    const pointField& centres = c.form->centres();
+    // What the lanes of a leap take a clump for
+    static_assert
+    (
+        sizeof(clump) == sizeof(clumpRecord)
+     && offsetof(clump, first) == offsetof(clumpRecord, first)
+     && offsetof(clump, radius) == offsetof(clumpRecord, radius)
+     && offsetof(clump, x) == offsetof(clumpRecord, x)
+     && offsetof(clump, q0) == offsetof(clumpRecord, q0)
+     && sizeof(quaternion) == sizeof(clumpRecord::q),
+        "a clumpRecord is a plain image of a packedClump"
+    );
 
-    for (label s = c.first; s < c.last; ++s)
+    clumpData data;
+    data.xv = from.xv.data();
+    data.ft = from.ft.data();
+    data.xvTo = now_.xv.data();
+    data.wTo = now_.w.data();
+    data.ftTo = nullptr;
+    data.from = reinterpret_cast<const clumpRecord*>(clumps.data());
+    data.to = reinterpret_cast<clumpRecord*>(clumps_.data());
+    data.n = int(clumps.size());
+    data.list = nullptr;
+    return data;
+}
+
+
+void Foam::dem::packedBodies::spreadAll()
+{
+    if (clumps_.size())
     {
-        const point& p = centres[s - c.first];
-        const vector arm = R & p;
-
-        // Half way, where the velocities are
-        const vector middle = 0.5*((R0 & p) + arm);
-
-        const scalar r = now_.v(s).w;
-        now_.x(s) = record(c.x + arm, now_.x(s).w);
-        now_.v(s) = record(c.v + (c.omega ^ middle), r);
-        now_.w[s] = record(r*c.omega, r);
+        sweeps_->spreadClumps(clumpsFrom(now_, clumps_));
     }
+}
+
+
+void Foam::dem::packedBodies::spreadOne(const label k)
+{
+    clumpData data(clumpsFrom(now_, clumps_));
+    data.n = 1;
+    data.list = &k;
+    data.ftTo = now_.ft.data();
+    sweeps_->spreadClumps(data);
 }
 
 
@@ -148,45 +173,51 @@ void Foam::dem::packedBodies::leapClumps
     const scalar dt
 )
 {
-    const label n = label(clumps.size());
-    for (label k = 0; k < n; ++k)
+    const bool all = ownClump_.size() == clumps.size();
+    if (clumps.empty())
     {
-        clump c = clumps[k];
-        if (c.copied)
-        {
-            // A message says where it is
-            clumps_[k] = c;
-            continue;
-        }
-        vector F, T;
-        collect(from, k, c, F, T);
-
-        const vector a = g_ + F/c.mass;
-        c.v = driven(c.body, c.v, a, 0.5*dt);
-        c.L += (pending_ + 0.5*dt)*T;
-        c.x += dt*c.v;
-
-        c.q0 = c.q;
-        const tensor R0 = c.q.R();
-        const vector before = angularVelocity(c.q, c.L, c.inertia);
-        turn(c.q, c.L, c.inertia, dt);
-        c.omega = 0.5*(before + angularVelocity(c.q, c.L, c.inertia));
-
-        for (label s = c.first; s < c.last; ++s)
-        {
-            now_.x(s).w = from.x(s).w;
-            now_.v(s).w = from.v(s).w;
-            now_.w[s].w = from.w[s].w;
-            now_.f(s) = now_.t(s) = quad{0, 0, 0, 0};
-        }
-        spread(c, R0, c.q.R());
-        clumps_[k] = c;
-
-        motion_.speed = max(motion_.speed, mag(c.v));
-        motion_.turning =
-            max(motion_.turning, mag(c.omega)*c.form->boundingRadius());
-        motion_.acceleration = max(motion_.acceleration, mag(a));
+        return;
     }
+    if (!all)
+    {
+        // A message says where the copies are
+        for (std::size_t k = 0; k < clumps.size(); ++k)
+        {
+            if (clumps[k].copied)
+            {
+                clumps_[k] = clumps[k];
+            }
+        }
+    }
+    if (drag_)
+    {
+        for (const int k : ownClump_)
+        {
+            const clump& c = clumps[k];
+            vector F, T;
+            collect(from, k, c, F, T);
+            const vector a = g_ + F/c.mass;
+            clumps_[k].v = driven(c.body, c.v, a, 0.5*dt);
+        }
+    }
+
+    clumpData data(clumpsFrom(from, clumps));
+    data.ftTo = now_.ft.data();
+    data.n = int(ownClump_.size());
+    data.list = all ? nullptr : ownClump_.data();
+    data.moved = drag_;
+    data.h = pending_ + 0.5*dt;
+    data.dt = dt;
+    std::copy(g_.cdata(), g_.cdata() + 3, data.g);
+    data.force = clumpForce_.data()->cdata();
+    data.torque = clumpTorque_.data()->cdata();
+
+    clumpBounds bounds;
+    sweeps_->leapClumps(data, bounds);
+    sweeps_->spreadClumps(data);
+    motion_.speed = max(motion_.speed, bounds.speed);
+    motion_.turning = max(motion_.turning, bounds.turning);
+    motion_.acceleration = max(motion_.acceleration, bounds.acceleration);
 }
 
 
@@ -205,7 +236,10 @@ void Foam::dem::packedBodies::leap(const scalar dt, const bool trial)
             now_ = old_;
         }
         std::swap(clumps_, oldClumps_);
-        clumps_.resize(oldClumps_.size());
+        if (clumps_.size() != oldClumps_.size())
+        {
+            clumps_ = oldClumps_;
+        }
         oldGiven_ = given_;
         leapSingles(old_, dt);
         leapClumps(old_, oldClumps_, dt);

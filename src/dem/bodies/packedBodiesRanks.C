@@ -109,6 +109,7 @@ void Foam::dem::packedBodies::rearrange
         c.body = to.body;
         c.first = to.first;
         c.last = to.last;
+        c.copied = to.copied;
         to = c;
     };
     forAll(source, b)
@@ -168,7 +169,6 @@ const Foam::scalar* Foam::dem::packedBodies::receive
     const scalar* from
 )
 {
-    const quad zero{0, 0, 0, 0};
     const label p = place_[b];
     if (p < 0)
     {
@@ -176,7 +176,7 @@ const Foam::scalar* Foam::dem::packedBodies::receive
         now_.x(s) = record(vectorFrom(from), now_.x(s).w);
         now_.v(s) = record(vectorFrom(from), now_.v(s).w);
         now_.w[s] = record(vectorFrom(from), now_.w[s].w);
-        now_.f(s) = now_.t(s) = zero;
+        now_.f(s) = now_.t(s) = quad{0, 0, 0, 0};
         return from;
     }
     clump& c = clumps_[p];
@@ -185,11 +185,7 @@ const Foam::scalar* Foam::dem::packedBodies::receive
     c.omega = vectorFrom(from);
     c.q = quaternionFrom(from);
     c.q0 = quaternionFrom(from);
-    for (label s = c.first; s < c.last; ++s)
-    {
-        now_.f(s) = now_.t(s) = zero;
-    }
-    spread(c, c.q0.R(), c.q.R());
+    spreadOne(p);
     return from;
 }
 

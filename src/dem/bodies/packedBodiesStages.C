@@ -29,8 +29,7 @@ void Foam::dem::packedBodies::note(const label b, const vector& a)
 void Foam::dem::packedBodies::place(clump& c)
 {
     c.omega = angularVelocity(c.q, c.L, c.inertia);
-    const tensor R = c.q.R();
-    spread(c, R, R);
+    c.q0 = c.q;
 }
 
 
@@ -76,6 +75,7 @@ void Foam::dem::packedBodies::drift(const scalar h, const bool fourth)
         place(c);
         note(c.body, Zero);
     }
+    spreadAll();
     clearForces();
 }
 
@@ -107,6 +107,7 @@ void Foam::dem::packedBodies::kick(const scalar h)
         place(c);
         note(c.body, a);
     }
+    spreadAll();
 }
 
 
@@ -184,6 +185,7 @@ void Foam::dem::packedBodies::moveBy
         place(clumps_[k]);
         note(c.body, terms.back().second->clumps[k].of.v);
     }
+    spreadAll();
     for (std::size_t b = 0; b < given_.size(); ++b)
     {
         given_[b] = oldGiven_[b];

@@ -17,6 +17,7 @@ Description
 #define STYX_INSTRUCTIONS avx512
 
 #include "contactSweep.H"
+#include "leapClumps.H"
 #include "leapSpheres.H"
 
 const Foam::dem::sweepSet Foam::dem::sweepAvx512
@@ -24,7 +25,9 @@ const Foam::dem::sweepSet Foam::dem::sweepAvx512
     STYX_LANES,
     &avx512::sweep,
     &avx512::sweepReach,
-    &avx512::leap
+    &avx512::leap,
+    &avx512::leapClumps,
+    &avx512::spreadClumps
 };
 
 

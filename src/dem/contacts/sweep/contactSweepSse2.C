@@ -15,6 +15,7 @@ Description
 #define STYX_INSTRUCTIONS sse2
 
 #include "contactSweep.H"
+#include "leapClumps.H"
 #include "leapSpheres.H"
 
 const Foam::dem::sweepSet Foam::dem::sweepSse2
@@ -22,7 +23,9 @@ const Foam::dem::sweepSet Foam::dem::sweepSse2
     STYX_LANES,
     &sse2::sweep,
     &sse2::sweepReach,
-    &sse2::leap
+    &sse2::leap,
+    &sse2::leapClumps,
+    &sse2::spreadClumps
 };
 
 
