@@ -197,7 +197,7 @@ Foam::label Foam::coupling::cellBins::find
     // round-off, hence the small ball.
     const pointField& cc = mesh_.cellCentres();
     label found = -1;
-    scalar least = 1e-6;
+    scalar least = GREAT;
     const scalar ball = 1e-6*maxRadius_;
     const auto compare = [&](const label c)
     {
@@ -208,15 +208,12 @@ Foam::label Foam::coupling::cellBins::find
         const scalar d = outside(p, c);
         if
         (
-            d < least
-         || (
-                found < 0
-             && mesh_.pointInCell(p, c, polyMesh::FACE_CENTRE_TRIS)
-            )
+            (d < least || (d == least && c < found))
+         && (d < 1e-6 || mesh_.pointInCell(p, c, polyMesh::FACE_CENTRE_TRIS))
         )
         {
             found = c;
-            least = min(d, least);
+            least = d;
         }
     };
 

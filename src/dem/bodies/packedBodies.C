@@ -142,7 +142,9 @@ void Foam::dem::packedBodies::pack(const bodies& state, const vector& g)
         old_ = records();
     }
 
+    // Others than these are not where a leap may leave what stays
     clumps_.clear();
+    oldClumps_.clear();
     ownClump_.clear();
     single_.clear();
     singleBody_.clear();
