@@ -14,7 +14,9 @@ Description
 
 #include "effectTable.H"
 #include "effectWatch.H"
+#include "demCase.H"
 #include "figure.H"
+#include "sceneSurvey.H"
 #include "StringStream.H"
 #include "wordList.H"
 
@@ -232,6 +234,39 @@ TEST(effects, shares)
     (
         "effects_bar", law("contacts").share(n, target), 2*target, 1e-9, "-",
         "Elghobashi's bound twice"
+    );
+}
+
+
+TEST(effects, survey)
+{
+    // Three balls of 10 mm in one block of 0.1 m, and one far away
+    const std::string ball(" { shape ball; material s; position ");
+    demCase bodies
+    (
+        "demSolver hades;\n"
+        "materials { s { density 2500; youngsModulus 1e7;"
+        " poissonsRatio 0.25; } }\n"
+        "pairs { s-s { restitution 0.9; friction 0.3; } }\n"
+        "shapes { ball { type sphere; diameter 0.01; } }\n"
+        "stepControl { type hades; }\n"
+        "bodies { a" + ball + "(0.02 0.02 0.02); } b" + ball
+      + "(0.05 0.02 0.02); } c" + ball + "(0.09 0.09 0.09); } d" + ball
+      + "(0.55 0.05 0.05); } }\n"
+    );
+    const dem::bodies& state = bodies.solver().state();
+
+    // Each of the three has two others, the fourth none
+    const scalar ballVolume = M_PI/6*1e-6;
+    figureNear
+    (
+        "effects_crowd", sceneSurvey::crowd(state, 0.1),
+        3*2*ballVolume/1e-3/4, 1e-9, "-", "others in the block"
+    );
+    figureNear
+    (
+        "effects_gap", sceneSurvey::smallestGap(state), 0.02, 1e-9, "m",
+        "30 mm less a diameter"
     );
 }
 
