@@ -21,6 +21,7 @@ Description
 #include "Time.H"
 #include "volFields.H"
 #include "demCloud.H"
+#include "effectInput.H"
 
 using namespace Foam;
 
@@ -45,9 +46,16 @@ bool inFluid(const fvMesh& mesh)
     (
         mesh.time().controlDict().getOrDefault<word>("application", "none")
     );
+    const bool chosen =
+        !properties.found("coupling") && effectInput(properties).automatic
+     && IOobject("U", mesh.time().timeName(), mesh, IOobject::MUST_READ)
+       .typeHeaderOk<volVectorField>(true);
     return
         application != "demFoam"
-     && properties.getOrDefault<word>("coupling", "none") != "none";
+     && (
+            chosen
+         || properties.getOrDefault<word>("coupling", "none") != "none"
+        );
 }
 
 
