@@ -291,7 +291,8 @@ void Foam::dem::verletList::build(const packedBodies& state)
 
 bool Foam::dem::verletList::refresh(const packedBodies& state)
 {
-    const bool outdated = near_.over(state);
+    const bool outdated = near_.over(state) || nearDue_;
+    nearDue_ = false;
     if (outdated)
     {
         adapt();
@@ -305,6 +306,20 @@ bool Foam::dem::verletList::refresh(const packedBodies& state)
         relativeSkin_ = tuner_->skin();
     }
     return outdated;
+}
+
+
+bool Foam::dem::verletList::nearOutdated
+(
+    const packedBodies& state,
+    const scalar distance
+)
+{
+    const bool over = near_.x.size() == state.nSpheres() && near_.over(state);
+
+    // The copies have yet to be looked at
+    near_.moved = max(near_.moved, distance);
+    return over;
 }
 
 
