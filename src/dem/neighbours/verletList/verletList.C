@@ -178,6 +178,18 @@ Foam::dem::verletList::verletList(const dictionary& dict)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::dem::verletList::setMeets(const bool meets)
+{
+    meets_ = meets;
+    drop();
+    if (!meets)
+    {
+        kept_.clear();
+        keptBridges_.clear();
+    }
+}
+
+
 void Foam::dem::verletList::placement::start
 (
     const packedBodies& state,
