@@ -53,7 +53,8 @@ void Foam::coupling::cellLaplacian::findFaces()
     DynamicList<label> coupled;
     for (const polyPatch& p : mesh_.boundaryMesh())
     {
-        if (!p.coupled())
+        // Not by coupled(): a cyclicAMI patch says no to that
+        if (!isA<coupledPolyPatch>(p))
         {
             continue;
         }

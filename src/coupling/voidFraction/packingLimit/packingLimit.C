@@ -10,6 +10,8 @@ License
 
 #include "packingLimit.H"
 #include "checkedEntry.H"
+#include "cyclicPolyPatch.H"
+#include "processorPolyPatch.H"
 #include "PstreamReduceOps.H"
 #include "syncTools.H"
 
@@ -47,7 +49,11 @@ void moveExcess
     }
     for (const polyPatch& p : mesh.boundaryMesh())
     {
-        for (label f = p.start(); p.coupled() && f < p.start() + p.size(); ++f)
+        if (!isA<processorPolyPatch>(p) && !isA<cyclicPolyPatch>(p))
+        {
+            continue;
+        }
+        for (label f = p.start(); f < p.start() + p.size(); ++f)
         {
             const label o = owner[f], b = f - nInternal;
             solids[o] -= 0.5*min(capacity[o], otherCapacity[b])

@@ -33,6 +33,10 @@ void Foam::coupling::weightedFraction::placed()
     {
         start_[i] = cells_.size();
         weigh(i < nOwn ? balls_[i] : guests[i - nOwn], cells_, weights_);
+        if (i < nOwn)
+        {
+            holdOwn(i);
+        }
         for (label k = start_[i]; k < cells_.size(); ++k)
         {
             sums[i] += weights_[k];
@@ -51,6 +55,24 @@ void Foam::coupling::weightedFraction::placed()
             weights_[k] /= max(all, VSMALL);
         }
     }
+}
+
+
+void Foam::coupling::weightedFraction::holdOwn(const label i)
+{
+    // Far below any weight that counts
+    const label c = balls_[i].cell;
+    const scalar least = ROOTVSMALL*mesh_.cellVolumes()[c];
+    for (label k = start_[i]; k < cells_.size(); ++k)
+    {
+        if (cells_[k] == c)
+        {
+            weights_[k] = max(weights_[k], least);
+            return;
+        }
+    }
+    cells_.append(c);
+    weights_.append(least);
 }
 
 
