@@ -174,6 +174,9 @@ void Foam::averagedFluid::predictMomentum()
     push_.primitiveFieldRef() = -exchange.source()/mesh_.V().field();
     push_.correctBoundaryConditions();
 
+    // The flux has yet to follow the void fraction: what it lacks is taken
+    // from the equation such that the diagonal does not fall below half of
+    // alpha/dt, old and new, however the bodies have jumped from cell to cell
     const volScalarField& a = alpha();
     UEqn_.reset
     (
@@ -181,7 +184,7 @@ void Foam::averagedFluid::predictMomentum()
         (
             fvm::ddt(a, U_)
           + fvm::div(alphaPhi_, U_)
-          - fvm::Sp(fvc::ddt(a) + fvc::div(alphaPhi_), U_)
+          + fvm::SuSp(-(fvc::ddt(a) + fvc::div(alphaPhi_)), U_)
           + turbulence_->divDevRhoReff(U_)
          ==
             exchange

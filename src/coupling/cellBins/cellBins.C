@@ -10,6 +10,17 @@ License
 
 #include "cellBins.H"
 
+// * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- A point this near to a face is on it, in radii of the cell
+const Foam::scalar onFace = 1e-6;
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::labelVector Foam::coupling::cellBins::binOf(const point& p) const
@@ -155,7 +166,7 @@ Foam::label Foam::coupling::cellBins::walk
             }
         }
 
-        if (mag(worst) < 1e-6*radius_[c])
+        if (mag(worst) < onFace*radius_[c])
         {
             return -1;
         }
@@ -190,7 +201,8 @@ Foam::label Foam::coupling::cellBins::find
     }
 
     // The cell that p is deepest in. On a face, an edge or a vertex several
-    // cells are as good: round-off must not make it none. (The decomposition
+    // cells are as good: round-off must not make it none, nor choose. (The
+    // decomposition
     // by face diagonals is made by all ranks together on first use: here, where
     // one rank may come alone, it would wait for ever.)
     // A vertex is as far from the centre as the cell's radius, but for
@@ -199,6 +211,9 @@ Foam::label Foam::coupling::cellBins::find
     label found = -1;
     scalar least = GREAT;
     const scalar ball = 1e-6*maxRadius_;
+
+    // How well it is found: not, by the decomposition, on a face, inside
+    label best = 0;
     const auto compare = [&](const label c)
     {
         if (magSqr(cc[c] - p) > sqr(ball + radius_[c]))
@@ -206,13 +221,26 @@ Foam::label Foam::coupling::cellBins::find
             return;
         }
         const scalar d = outside(p, c);
+        const label kind =
+            d <= -onFace
+          ? 3
+          : d < onFace
+          ? 2
+          : best < 2
+         && d < least
+         && mesh_.pointInCell(p, c, polyMesh::FACE_CENTRE_TRIS)
+          ? 1
+          : 0;
         if
         (
-            (d < least || (d == least && c < found))
-         && (d < 1e-6 || mesh_.pointInCell(p, c, polyMesh::FACE_CENTRE_TRIS))
+            kind > best
+         || kind == 1
+         || (kind == 3 && d < least)
+         || (kind == 2 && best == 2 && claim(c) > claim(found))
         )
         {
             found = c;
+            best = kind;
             least = d;
         }
     };

@@ -9,11 +9,13 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "fluidSampler.H"
+#include "cellPointWeight.H"
 #include "correctedSnGrad.H"
 #include "fvcSurfaceIntegrate.H"
 #include "gaussGrad.H"
 #include "interpolation.H"
 #include "linear.H"
+#include "pointMeans.H"
 #include "rankSum.H"
 #include "volFields.H"
 
@@ -80,6 +82,23 @@ void Foam::coupling::fluidSampler::interpolate
     const Setter& set
 ) const
 {
+    if (scheme_ == "cellPoint")
+    {
+        const auto means(pointMeans::New(mesh_).at(field));
+        const Field<Type>& atPoint = means().primitiveField();
+        forAll(mine, k)
+        {
+            const cellPointWeight w(mesh_, points[mine[k]], cells[k]);
+            Type value = w.weights()[0]*field[cells[k]];
+            for (direction i = 0; i < 3; ++i)
+            {
+                value += w.weights()[i + 1]*atPoint[w.faceVertices()[i]];
+            }
+            set(mine[k], value);
+        }
+        return;
+    }
+
     const auto at = Foam::interpolation<Type>::New(scheme_, field);
     forAll(mine, k)
     {
@@ -328,13 +347,13 @@ Foam::coupling::fluidSampler::sample
 {
     List<fluidAtPoint> fluid(points.size());
 
-    // Who has a point: the lowest rank that finds it
+    // Who has a point: on faces between ranks the cell with the largest claim
     labelList cellOf(points.size());
     List<scalar> claim(points.size());
     forAll(points, b)
     {
         cellOf[b] = bins_.find(points[b], near[b]);
-        claim[b] = cellOf[b] < 0 ? 0 : Pstream::nProcs() - Pstream::myProcNo();
+        claim[b] = cellOf[b] < 0 ? -GREAT : bins_.claim(cellOf[b]);
     }
     const List<scalar> own(claim);
     dem::maxOverRanks(claim);

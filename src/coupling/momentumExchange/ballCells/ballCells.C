@@ -27,25 +27,26 @@ Foam::labelList Foam::coupling::ballCells::cells
     }
     labelList cell(last_);
 
-    // The first rank that has it; the others let go
-    List<scalar> first(n, -GREAT);
+    // On faces between ranks several have it: all but one let go
+    List<scalar> claim(n, -GREAT);
     forAll(cell, s)
     {
         if (cell[s] >= 0)
         {
-            first[s] = -Pstream::myProcNo();
+            claim[s] = bins_.claim(cell[s]);
         }
     }
-    dem::maxOverRanks(first);
+    const List<scalar> own(claim);
+    dem::maxOverRanks(claim);
 
     DynamicList<label> lost;
     forAll(cell, s)
     {
-        if (first[s] == -GREAT)
+        if (claim[s] == -GREAT)
         {
             lost.append(s);
         }
-        else if (first[s] != -Pstream::myProcNo())
+        else if (claim[s] != own[s])
         {
             cell[s] = -1;
         }

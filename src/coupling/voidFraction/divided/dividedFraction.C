@@ -32,7 +32,9 @@ Foam::scalar Foam::coupling::dividedFraction::reach
     const cellBall& ball
 ) const
 {
-    return ball.r;
+    // The share of a cell that a ball nearly touches is about zero, not zero:
+    // such a cell has it on another rank, too
+    return 1.1*ball.r;
 }
 
 

@@ -62,7 +62,10 @@ void Foam::coupling::twoGridFraction::placed()
             const scalar part =
                 (mesh_.cellCentres()[c][d] - domain.min()[d])
                /max(domain.span()[d], VSMALL);
-            at[d] = min(max(label(part*n[d]), 0), n[d] - 1);
+
+            // A centre between two boxes is in the upper one, whatever its
+            // last digit
+            at[d] = min(max(label(part*n[d] + 1e-6), 0), n[d] - 1);
         }
         box_[c] = (at.z()*n.y() + at.y())*n.x() + at.x();
         volume_[box_[c]] += mesh_.cellVolumes()[c];
