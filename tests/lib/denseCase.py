@@ -1,0 +1,137 @@
+#------------------------------------------------------------------------------
+#  Styx: rigid particles in OpenFOAM flows
+#  Copyright (C) 2026 The Styx founders
+#------------------------------------------------------------------------------
+# License
+#     This file is part of Styx, which is free software: GPL-3.0-or-later,
+#     without any warranty. See the file COPYING.
+#
+# Description
+#     Cases for styxFoam: a box of water, closed above and below and cyclic at
+#     its sides, with glass spheres of 1 mm.
+#         case = prepare("name", size, cells, centres, "type centroid;")
+#         terminal()          velocity of one of them [m/s]
+#         fastest(case, (0.1, 0.2))       of the fluid, at these times [m/s]
+#         centres = cloud(55, (6e-3, 6e-3), (14e-3, 22e-3))
+#------------------------------------------------------------------------------
+import os
+import re
+
+import numpy as np
+
+from cases import setEntry
+from cloudCase import copyCase, runIn
+
+tutorial = os.environ["STYX_DIR"] + "/tutorials/unresolved/ergunBed"
+properties = "constant/demCloudProperties"
+d, density, rho, nu, g = 1e-3, 2500.0, 1000.0, 1e-6, 9.81
+
+
+def terminal():
+    """Of one sphere, Schiller and Naumann [m/s]."""
+    low, high = 0.0, 1.0
+    for _ in range(100):
+        v = (low + high)/2
+        Re = v*d/nu
+        drag = 18*nu*v/d**2*(1 + 0.15*Re**0.687)
+        low, high = (v, high) if drag < (density/rho - 1)*g else (low, v)
+    return low
+
+
+def prepare(name, size, cells, centres, voidFraction, solver="hades",
+            forces="drag gidaspow; buoyancy yes; pressureGradient yes;",
+            equations="A", dt=2e-4, end=0.1, sides="cyclic"):
+    """A box of water, closed above and below, with spheres of 1 mm."""
+    case = copyCase(tutorial, name)
+    os.rename(case + "/0.orig", case + "/0")
+    corners = " ".join("(%.9g %.9g %.9g)" % c for c in (
+        (x, y, z) for z in (0, size[2]) for x, y in (
+            (0, 0), (size[0], 0), (size[0], size[1]), (0, size[1]))))
+    more = {"cyclic": ("", ""), "cyclicAMI": (
+        " transform translational; separationVector (%g 0 0);" % size[0],
+        " transform translational; separationVector (%g 0 0);" % -size[0])
+        }[sides]
+    with open(case + "/system/blockMeshDict", "w") as out:
+        out.write("""FoamFile { version 2.0; format ascii; class dictionary;
+    object blockMeshDict; }
+scale 1;
+vertices (%s);
+blocks (hex (0 1 2 3 4 5 6 7) (%d %d %d) simpleGrading (1 1 1));
+boundary
+(
+    bottom { type wall; faces ((0 3 2 1)); }
+    top    { type wall; faces ((4 5 6 7)); }
+    left   { type %s; neighbourPatch right;%s faces ((3 0 4 7)); }
+    right  { type %s; neighbourPatch left;%s faces ((1 2 6 5)); }
+    front  { type cyclic; neighbourPatch back; faces ((0 1 5 4)); }
+    back   { type cyclic; neighbourPatch front; faces ((2 3 7 6)); }
+);
+""" % (corners, *cells, sides, more[0], sides, more[1]))
+    for field, kind in (("U", "noSlip"), ("p", "zeroGradient")):
+        with open("%s/0/%s" % (case, field)) as text:
+            head = text.read().split("dimensions")[0]
+        with open("%s/0/%s" % (case, field), "w") as out:
+            out.write(head + "dimensions [%s];\ninternalField uniform %s;\n"
+                      "boundaryField { \"top|bottom\" { type %s; }"
+                      " \"left|right\" { type %s; }"
+                      " \"front|back\" { type cyclic; } }\n"
+                      % (("0 1 -1 0 0 0 0", "(0 0 0)", kind, sides)
+                         if field == "U" else
+                         ("0 2 -2 0 0 0 0", "0", kind, sides)))
+    with open(case + "/constant/bed", "w") as out:
+        out.write("bodies\n{\n")
+        for n, x in enumerate(centres):
+            out.write("    s%d { shape sphere; material glass; position"
+                      " (%.9g %.9g %.9g); }\n" % (n, *x))
+        out.write("}\n")
+    path = case + "/" + properties
+    with open(path) as text:
+        all_ = text.read()
+    all_ = re.sub(r"forces\n\{.*?\n\}\n", "forces { %s interpolation cell; }\n"
+                  "walls { floor { type patch; patches (\"top|bottom\");"
+                  " material glass; } }\n" % forces, all_, flags=re.S)
+    for old, new in (
+            (r"demSolver .*", "demSolver %s;" % solver),
+            (r"fluid  .*", "fluid { rho %g; }" % rho),
+            (r"voidFraction  .*", "voidFraction { %s }" % voidFraction),
+            (r"equations A", "equations " + equations),
+            (r"density 2000", "density %g" % density)):
+        all_ = re.sub(old, new, all_, count=1)
+    with open(path, "w") as out:
+        out.write(all_)
+    setEntry(case + "/constant/transportProperties", "nu", "%g" % nu)
+    control = case + "/system/controlDict"
+    setEntry(control, "deltaT", "%g" % dt)
+    setEntry(control, "endTime", "%g" % end)
+    setEntry(control, "writeInterval", "%d" % max(1, round(end/dt/5)))
+    solution = case + "/system/fvSolution"
+    setEntry(solution, "PIMPLE/pRefCell", "0")
+    setEntry(solution, "PIMPLE/pRefValue", "0")
+    runIn(case, "blockMesh")
+    return case
+
+
+def fastest(case, times):
+    """Largest velocity of the fluid at the ends of these times [m/s]."""
+    most = 0
+    for time in times:
+        with open("%s/%g/U" % (case, time)) as text:
+            body = text.read().split("internalField")[1].split(
+                "boundaryField")[0]
+        rows = re.findall(r"\(([-+0-9.e]+) ([-+0-9.e]+) ([-+0-9.e]+)\)", body)
+        most = max([most] + [np.linalg.norm([float(w) for w in row])
+                             for row in rows])
+    return most
+
+
+def cloud(number, across, heights):
+    """Centres at random between two heights, that do not touch."""
+    across, random = np.array(across), np.random.default_rng(3)
+    centres = []
+    while len(centres) < number:
+        x = random.uniform((0, 0, heights[0]), (*across, heights[1]))
+        away = np.array(centres).reshape(-1, 3) - x
+        away[:, :2] -= across*np.round(away[:, :2]/across)
+        if not centres or np.min(np.linalg.norm(away, axis=1)) > 1.02*d:
+            centres.append(x)
+    return centres
