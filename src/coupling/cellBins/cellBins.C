@@ -65,6 +65,7 @@ Foam::coupling::cellBins::cellBins(const polyMesh& mesh)
 
 void Foam::coupling::cellBins::update()
 {
+    ++version_;
     findRadii();
     tree_.clear();
     nSought_ = 0;
@@ -131,6 +132,31 @@ Foam::scalar Foam::coupling::cellBins::outside
 }
 
 
+bool Foam::coupling::cellBins::wellInside
+(
+    const point& p,
+    const label cell
+) const
+{
+    // Without a root or a division, as this is asked most
+    const scalar margin = sqr(roundOff*radius_[cell]);
+    for (const label f : mesh_.cells()[cell])
+    {
+        const vector& S = mesh_.faceAreas()[f];
+        const scalar d = (p - mesh_.faceCentres()[f]) & S;
+        if
+        (
+            (d > 0) == (mesh_.faceOwner()[f] == cell)
+         || d*d < margin*magSqr(S)
+        )
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+
 Foam::label Foam::coupling::cellBins::walk
 (
     const point& p,
@@ -140,6 +166,11 @@ Foam::label Foam::coupling::cellBins::walk
     label c = start;
     for (label step = 0; step < 32; ++step)
     {
+        if (wellInside(p, c))
+        {
+            return c;
+        }
+
         label through = -1;
         scalar worst = -GREAT;
         for (const label f : mesh_.cells()[c])
@@ -155,7 +186,7 @@ Foam::label Foam::coupling::cellBins::walk
             }
         }
 
-        if (mag(worst) < 1e-6*radius_[c])
+        if (mag(worst) < roundOff*radius_[c])
         {
             return -1;
         }
@@ -198,7 +229,7 @@ Foam::label Foam::coupling::cellBins::find
     const pointField& cc = mesh_.cellCentres();
     label found = -1;
     scalar least = GREAT;
-    const scalar ball = 1e-6*maxRadius_;
+    const scalar ball = roundOff*maxRadius_;
     const auto compare = [&](const label c)
     {
         if (magSqr(cc[c] - p) > sqr(ball + radius_[c]))
@@ -209,7 +240,10 @@ Foam::label Foam::coupling::cellBins::find
         if
         (
             (d < least || (d == least && c < found))
-         && (d < 1e-6 || mesh_.pointInCell(p, c, polyMesh::FACE_CENTRE_TRIS))
+         && (
+                d < roundOff
+             || mesh_.pointInCell(p, c, polyMesh::FACE_CENTRE_TRIS)
+            )
         )
         {
             found = c;

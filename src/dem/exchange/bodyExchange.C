@@ -431,23 +431,15 @@ void Foam::dem::bodyExchange::introduce(packedBodies& packed)
 }
 
 
-void Foam::dem::bodyExchange::combine
-(
-    packedBodies& packed,
-    bool& due,
-    bool& nearDue
-)
+bool Foam::dem::bodyExchange::combine(packedBodies& packed, const bool due)
 {
     stopwatch watch(seconds_);
-    const label n = packedBodies::nBounds;
-    List<scalar> largest(n + 2);
+    List<scalar> largest(packedBodies::nBounds + 1);
     packed.putBounds(largest);
-    largest[n] = due;
-    largest[n + 1] = nearDue;
+    largest.last() = due;
     maxOverRanks(largest);
     packed.setBounds(largest);
-    due = largest[n] > 0;
-    nearDue = largest[n + 1] > 0;
+    return largest.last() > 0;
 }
 
 

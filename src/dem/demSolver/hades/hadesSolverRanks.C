@@ -104,13 +104,7 @@ bool Foam::dem::hadesSolver::meetOthers(const scalar t, const scalar dt)
     const scalar mine = (m.speed + m.turning)*dt;
     list_.moved(mine);
     walls_.moveTo(t);
-    bool due = outdated();
-    bool nearDue = !due && list_.nearOutdated(packed_, mine);
-    exchange_->combine(packed_, due, nearDue);
-    if (nearDue && !due)
-    {
-        list_.setNearDue();
-    }
+    const bool due = exchange_->combine(packed_, outdated());
     list_.movedMore((m.speed + m.turning)*dt - mine);
     exchange_->receive(packed_);
     return due;
