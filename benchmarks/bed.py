@@ -46,6 +46,7 @@ walls
     z1 { type plane; material s; point (0 0 0); normal (0 0 1); }
 }
 stepControl { type fixed; deltaT %g; }
+neighbours  { type verletList; skin 0.3; }
 """
 
 

@@ -431,15 +431,23 @@ void Foam::dem::bodyExchange::introduce(packedBodies& packed)
 }
 
 
-bool Foam::dem::bodyExchange::combine(packedBodies& packed, const bool due)
+void Foam::dem::bodyExchange::combine
+(
+    packedBodies& packed,
+    bool& due,
+    bool& nearDue
+)
 {
     stopwatch watch(seconds_);
-    List<scalar> largest(packedBodies::nBounds + 1);
+    const label n = packedBodies::nBounds;
+    List<scalar> largest(n + 2);
     packed.putBounds(largest);
-    largest.last() = due;
+    largest[n] = due;
+    largest[n + 1] = nearDue;
     maxOverRanks(largest);
     packed.setBounds(largest);
-    return largest.last() > 0;
+    due = largest[n] > 0;
+    nearDue = largest[n + 1] > 0;
 }
 
 

@@ -104,7 +104,13 @@ bool Foam::dem::hadesSolver::meetOthers(const scalar t, const scalar dt)
     const scalar mine = (m.speed + m.turning)*dt;
     list_.moved(mine);
     walls_.moveTo(t);
-    const bool due = exchange_->combine(packed_, outdated());
+    bool due = outdated();
+    bool nearDue = !due && list_.nearOutdated(packed_, mine);
+    exchange_->combine(packed_, due, nearDue);
+    if (nearDue && !due)
+    {
+        list_.setNearDue();
+    }
     list_.movedMore((m.speed + m.turning)*dt - mine);
     exchange_->receive(packed_);
     return due;

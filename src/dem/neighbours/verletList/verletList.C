@@ -178,6 +178,18 @@ Foam::dem::verletList::verletList(const dictionary& dict)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::dem::verletList::setMeets(const bool meets)
+{
+    meets_ = meets;
+    drop();
+    if (!meets)
+    {
+        kept_.clear();
+        keptBridges_.clear();
+    }
+}
+
+
 void Foam::dem::verletList::placement::start
 (
     const packedBodies& state,
@@ -291,7 +303,8 @@ void Foam::dem::verletList::build(const packedBodies& state)
 
 bool Foam::dem::verletList::refresh(const packedBodies& state)
 {
-    const bool outdated = near_.over(state);
+    const bool outdated = near_.over(state) || nearDue_;
+    nearDue_ = false;
     if (outdated)
     {
         adapt();
@@ -305,6 +318,20 @@ bool Foam::dem::verletList::refresh(const packedBodies& state)
         relativeSkin_ = tuner_->skin();
     }
     return outdated;
+}
+
+
+bool Foam::dem::verletList::nearOutdated
+(
+    const packedBodies& state,
+    const scalar distance
+)
+{
+    const bool over = near_.x.size() == state.nSpheres() && near_.over(state);
+
+    // The copies have yet to be looked at
+    near_.moved = max(near_.moved, distance);
+    return over;
 }
 
 
