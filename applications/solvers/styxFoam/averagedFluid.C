@@ -43,6 +43,13 @@ Foam::scalar Foam::averagedFluid::courantNumber() const
 }
 
 
+void Foam::averagedFluid::updateAlpha()
+{
+    alphaf_ = fvc::interpolate(alpha(), "interpolate(voidFraction)");
+    alphaPhi_ = alphaf_*phi_;
+}
+
+
 void Foam::averagedFluid::checkScheme(const word& name) const
 {
     const word scheme(mesh_.ddtScheme(name));
@@ -79,10 +86,11 @@ Foam::averagedFluid::averagedFluid(dynamicFvMesh& mesh)
     ),
     transport_(U_, phi_),
     cloud_(mesh, demCloud::fluidAccess::share),
-    alphaPhi_
+    alphaPhi_("alphaPhi", phi_),
+    alphaf_
     (
-        "alphaPhi",
-        fvc::interpolate(alpha(), "interpolate(voidFraction)")*phi_
+        "voidFractionf",
+        fvc::interpolate(alpha(), "interpolate(voidFraction)")
     ),
     resistance_
     (
@@ -102,6 +110,7 @@ Foam::averagedFluid::averagedFluid(dynamicFvMesh& mesh)
     pRefValue_(0),
     cumulativeError_(0)
 {
+    updateAlpha();
     checkScheme("ddt(" + alpha().name() + ',' + U_.name() + ')');
     checkScheme("ddt(" + alpha().name() + ')');
     setRefCell(p_, pimple_.dict(), pRefCell_, pRefValue_);
@@ -148,8 +157,7 @@ void Foam::averagedFluid::updateMesh()
     {
         // Where faces are new, the flux of the pressure's last solution is
         // not there; that of the step follows from its own
-        alphaPhi_ =
-            fvc::interpolate(alpha(), "interpolate(voidFraction)")*phi_;
+        updateAlpha();
     }
 }
 
@@ -157,7 +165,7 @@ void Foam::averagedFluid::updateMesh()
 void Foam::averagedFluid::advanceBodies()
 {
     cloud_.beginStep();
-    alphaPhi_ = fvc::interpolate(alpha(), "interpolate(voidFraction)")*phi_;
+    updateAlpha();
 }
 
 
@@ -194,12 +202,23 @@ void Foam::averagedFluid::predictMomentum()
 
     if (pimple_.momentumPredictor())
     {
-        const surfaceScalarField flux
-        (
-            gammaf()*fvc::snGrad(p_)*mesh_.magSf()
-        );
+        tmp<surfaceScalarField> flux;
+        if (isA())
+        {
+            flux = gammaf()*fvc::snGrad(p_)*mesh_.magSf();
+        }
         solve(*UEqn_ == -pressureForce(flux) - faceShift());
     }
+
+    A_.reset(new volScalarField(UEqn_->A()));
+    mobility_.reset
+    (
+        new surfaceScalarField
+        (
+            "mobility",
+            1/fvc::interpolate(*A_/a, "interpolate(voidFraction)")
+        )
+    );
 }
 
 

@@ -16,23 +16,31 @@ License
 #include "fvm.H"
 #include "zeroGradientFvPatchFields.H"
 
+// * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- What one side of a face of area S gets from the other, times its volume: w
+//  n n . difference, w = V1 V2/(2 (V1 + V2))
+Foam::vector throughFace
+(
+    const Foam::vector& S,
+    const Foam::scalar V1,
+    const Foam::scalar V2,
+    const Foam::vector& difference
+)
+{
+    return 0.5*V1*V2/(V1 + V2)*(S & difference)/magSqr(S)*S;
+}
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::tmp<Foam::surfaceScalarField> Foam::averagedFluid::gammaf() const
 {
-    if (!isA())
-    {
-        return tmp<surfaceScalarField>
-        (
-            new surfaceScalarField
-            (
-                IOobject("one", mesh_.time().timeName(), mesh_),
-                mesh_,
-                dimensionedScalar("one", dimless, 1)
-            )
-        );
-    }
-
     // Weighed by the resistance, as its share over alpha is what the gradient
     // balances; where there is none, by nothing
     const volScalarField R
@@ -47,38 +55,83 @@ Foam::tmp<Foam::surfaceScalarField> Foam::averagedFluid::gammaf() const
 
 Foam::tmp<Foam::volVectorField> Foam::averagedFluid::pressureForce
 (
-    const surfaceScalarField& flux
+    const tmp<surfaceScalarField>& flux
 ) const
 {
     // The sum over all of a gradient by Gauss is that at the boundary
-    return isA() ? fvc::reconstruct(flux) : fvc::grad(p_);
+    return isA() ? fvc::reconstruct(flux()) : fvc::grad(p_);
 }
 
 
 Foam::tmp<Foam::volVectorField> Foam::averagedFluid::faceShift() const
 {
-    volVectorField lost(push_);
-    lost.primitiveFieldRef() =
-        resistance_.primitiveField()*U_.primitiveField()
-      - push_.primitiveField();
-    lost.correctBoundaryConditions();
-
-    volScalarField perVolume
+    // With values beyond patches that are coupled
+    const auto field = [this](const dimensionSet& d, auto values)
+    {
+        typedef typename decltype(values)::value_type Type;
+        auto made = GeometricField<Type, fvPatchField, volMesh>::New
+        (
+            "values",
+            mesh_,
+            dimensioned<Type>("0", d, Zero),
+            zeroGradientFvPatchField<Type>::typeName
+        );
+        made.ref().primitiveFieldRef() = values;
+        made.ref().correctBoundaryConditions();
+        return made;
+    };
+    const auto lost = field
     (
-        IOobject("perVolume", mesh_.time().timeName(), mesh_),
-        mesh_,
-        dimensionedScalar("0", dimless/dimVolume, 0),
-        zeroGradientFvPatchScalarField::typeName
+        push_.dimensions(),
+        vectorField
+        (
+            resistance_.primitiveField()*U_.primitiveField()
+          - push_.primitiveField()
+        )
     );
-    perVolume.primitiveFieldRef() = 1/mesh_.V().field();
-    perVolume.correctBoundaryConditions();
+    const auto volume = field(dimVolume, scalarField(mesh_.V()));
 
-    const surfaceVectorField n(mesh_.Sf()/mesh_.magSf());
-    return fvc::surfaceIntegrate
-    (
-        0.25/linearInterpolate(perVolume)*n
-       *(n & (fvc::snGrad(lost)/mesh_.nonOrthDeltaCoeffs()))
-    );
+    const vectorField& f = lost().primitiveField();
+    const scalarField& V = volume().primitiveField();
+    auto shift = field(push_.dimensions(), vectorField(f.size(), Zero));
+    vectorField& sum = shift.ref().primitiveFieldRef();
+
+    const labelUList& owner = mesh_.owner();
+    const labelUList& neighbour = mesh_.neighbour();
+    const vectorField& S = mesh_.Sf().primitiveField();
+    forAll(neighbour, i)
+    {
+        const label c = owner[i];
+        const label n = neighbour[i];
+        const vector moved = throughFace(S[i], V[c], V[n], f[n] - f[c]);
+        sum[c] += moved/V[c];
+        sum[n] -= moved/V[n];
+    }
+    forAll(mesh_.boundary(), patch)
+    {
+        const fvPatch& side = mesh_.boundary()[patch];
+        if (!side.coupled())
+        {
+            continue;
+        }
+        const labelUList& cells = side.faceCells();
+        const vectorField& Sp = mesh_.Sf().boundaryField()[patch];
+        const vectorField fn
+        (
+            lost().boundaryField()[patch].patchNeighbourField()
+        );
+        const scalarField Vn
+        (
+            volume().boundaryField()[patch].patchNeighbourField()
+        );
+        forAll(cells, i)
+        {
+            const label c = cells[i];
+            sum[c] += throughFace(Sp[i], V[c], Vn[i], fn[i] - f[c])/V[c];
+        }
+    }
+    shift.ref().correctBoundaryConditions();
+    return shift;
 }
 
 
@@ -100,21 +153,13 @@ void Foam::averagedFluid::reportContinuity()
 
 void Foam::averagedFluid::correctPressure()
 {
-    const volScalarField& a = alpha();
-    const volScalarField A(UEqn_->A());
+    const volScalarField& A = *A_;
     const volScalarField rAU("rAU", 1/A);
 
     // Where the bodies begin both the resistance A and U jump, but alpha U
     // does not: faces have the mean of H - A/alpha alpha U
-    const surfaceScalarField af
-    (
-        fvc::interpolate(a, "interpolate(voidFraction)")
-    );
-    const surfaceScalarField mobility
-    (
-        "mobility",
-        1/fvc::interpolate(A/a, "interpolate(voidFraction)")
-    );
+    const surfaceScalarField& mobility = *mobility_;
+    const surfaceScalarField& af = alphaf_;
     volVectorField HbyA(constrainHbyA(rAU*UEqn_->H(), U_, p_));
     surfaceScalarField alphaPhiHbyA
     (
@@ -129,36 +174,44 @@ void Foam::averagedFluid::correctPressure()
         // All that comes in goes out, but for what the bodies displace
         adjustPhi(alphaPhiHbyA, U_, p_);
     }
-    const surfaceScalarField yf(gammaf());
+    const surfaceScalarField conductivity
+    (
+        "conductivity",
+        timesGamma(mobility)
+    );
     constrainPressure
     (
         p_,
         U_,
         surfaceScalarField(alphaPhiHbyA/af),
-        surfaceScalarField(mobility*yf/af)
+        surfaceScalarField(conductivity/af)
     );
-    surfaceScalarField force(yf*fvc::snGrad(p_)*mesh_.magSf());
 
+    tmp<surfaceScalarField> force;
     while (pimple_.correctNonOrthogonal())
     {
         fvScalarMatrix pEqn
         (
-            fvm::laplacian(mobility*yf, p_)
+            fvm::laplacian(conductivity, p_)
          ==
-            fvc::ddt(a) + fvc::div(alphaPhiHbyA)
+            fvc::ddt(alpha()) + fvc::div(alphaPhiHbyA)
         );
         pEqn.setReference(pRefCell_, pRefValue_);
         pEqn.solve(mesh_.solver(p_.select(pimple_.finalInnerIter())));
 
         if (pimple_.finalNonOrthogonalIter())
         {
-            alphaPhi_ = alphaPhiHbyA - pEqn.flux();
+            force = pEqn.flux();
+            alphaPhi_ = alphaPhiHbyA - force();
             phi_ = alphaPhi_/af;
-            force = pEqn.flux()/mobility;
         }
     }
 
     p_.relax();
+    if (isA())
+    {
+        force.ref() /= mobility;
+    }
     U_ = HbyA - rAU*(pressureForce(force) + faceShift());
     U_.correctBoundaryConditions();
     cloud_.correct(U_);

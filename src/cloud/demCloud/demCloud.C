@@ -235,15 +235,24 @@ void Foam::demCloud::beginStep()
     const scalar t1 = time.value();
     const scalar t0 = t1 - time.deltaTValue();
 
+    // Have bodies come or gone?
+    bool changed = false;
     {
         ledger::entry e(ledger_, ledger::ofBodies);
 
         followMesh(t0, t1);
-        removeLeaving(t0);
+        changed = removeLeaving(t0) > 0;
         const label n = dem_->state().size();
         dem_->enter(t0);
+        changed = changed || dem_->state().size() > n;
         startForces(n);
         dem_->shareOut();
+    }
+
+    if (exchanged_.valid() && changed)
+    {
+        ledger::entry e(ledger_, "bodies on the mesh (void fraction)");
+        exchanged_->bodiesChanged();
     }
 
     if (points_.valid())
@@ -345,6 +354,10 @@ void Foam::demCloud::finishExchange(const volVectorField& U)
 
     ledger::entry e(ledger_, "exchange with the fluid");
     exchanged_->finish(U);
+    if (solids_.valid())
+    {
+        solids_->update();
+    }
     exchange_.active = true;
     exchange_.toBodies = exchanged_->toBodies();
     exchange_.toFluid = exchanged_->toFluid(U);

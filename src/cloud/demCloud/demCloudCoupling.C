@@ -73,6 +73,7 @@ void Foam::demCloud::checkCoupling(const fluidAccess access) const
         );
         refuse("voidFraction", why);
         refuse("momentumExchange", why);
+        refuse("solidFields", why);
     }
     if
     (
@@ -113,6 +114,7 @@ void Foam::demCloud::makeExchange(const bool averaged)
         (
             mesh_,
             bins_,
+            cells_,
             *dem_,
             *rho_,
             *points_,
@@ -120,6 +122,13 @@ void Foam::demCloud::makeExchange(const bool averaged)
             averaged
         )
     );
+    if (dict_.found("solidFields"))
+    {
+        solids_.reset
+        (
+            new coupling::solidFields(mesh_, *dem_, *exchanged_, dict_)
+        );
+    }
 }
 
 

@@ -69,7 +69,7 @@ void Foam::demCloud::checkInput() const
             "coupling", "demSolver", "fluid", "materials", "pairs", "shapes",
             "bodies", "generators", "sinks", "meters", "contact", "walls",
             "integrator", "stepControl", "neighbours", "immersed", "forces",
-            "voidFraction", "momentumExchange", "interface",
+            "voidFraction", "momentumExchange", "solidFields", "interface",
             "couplingInterval", "output", "start", "effects",
             "watchdog"
         }

@@ -106,7 +106,7 @@ Foam::wordList Foam::demCloud::nearestPatches(const UList<point>& x)
 }
 
 
-void Foam::demCloud::removeLeaving(const scalar t)
+Foam::label Foam::demCloud::removeLeaving(const scalar t)
 {
     const dem::bodies& state = dem_->state();
     PtrList<dem::sink>& sinks = dem_->sinks();
@@ -157,6 +157,7 @@ void Foam::demCloud::removeLeaving(const scalar t)
         dem_->remove(leaving);
         ledger_.addLeft(n);
     }
+    return n;
 }
 
 

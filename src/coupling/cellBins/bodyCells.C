@@ -11,6 +11,23 @@ License
 #include "bodyCells.H"
 #include "Map.H"
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::coupling::bodyCells::look
+(
+    const point& x,
+    const label b,
+    const label near
+)
+{
+    const label c = bins_.find(x, near);
+    cell_[b] = c;
+    x_[b] = x;
+    const scalar depth = c >= 0 ? bins_.depth(x, c) : -1;
+    safe_[b] = depth > 0 ? sqr(depth) : -1;
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 const Foam::labelList& Foam::coupling::bodyCells::find
@@ -18,6 +35,20 @@ const Foam::labelList& Foam::coupling::bodyCells::find
     const dem::bodies& state
 )
 {
+    const bool known = id_ == state.id && version_ == bins_.version();
+    version_ = bins_.version();
+    if (known)
+    {
+        forAll(state.x, b)
+        {
+            if (magSqr(state.x[b] - x_[b]) > safe_[b])
+            {
+                look(state.x[b], b, cell_[b]);
+            }
+        }
+        return cell_;
+    }
+
     labelList near(cell_);
     if (id_ != state.id)
     {
@@ -36,9 +67,11 @@ const Foam::labelList& Foam::coupling::bodyCells::find
     }
 
     cell_.setSize(id_.size());
+    x_.setSize(id_.size());
+    safe_.setSize(id_.size());
     forAll(state.x, b)
     {
-        cell_[b] = bins_.find(state.x[b], near[b]);
+        look(state.x[b], b, near[b]);
     }
     return cell_;
 }

@@ -10,17 +10,6 @@ License
 
 #include "cellBins.H"
 
-// * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
-
-namespace
-{
-
-//- A point this near to a face is on it, in radii of the cell
-const Foam::scalar onFace = 1e-6;
-
-} // End anonymous namespace
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::labelVector Foam::coupling::cellBins::binOf(const point& p) const
@@ -76,6 +65,7 @@ Foam::coupling::cellBins::cellBins(const polyMesh& mesh)
 
 void Foam::coupling::cellBins::update()
 {
+    ++version_;
     findRadii();
     tree_.clear();
     nSought_ = 0;
@@ -142,6 +132,31 @@ Foam::scalar Foam::coupling::cellBins::outside
 }
 
 
+bool Foam::coupling::cellBins::wellInside
+(
+    const point& p,
+    const label cell
+) const
+{
+    // Without a root or a division, as this is asked most
+    const scalar margin = sqr(roundOff*radius_[cell]);
+    for (const label f : mesh_.cells()[cell])
+    {
+        const vector& S = mesh_.faceAreas()[f];
+        const scalar d = (p - mesh_.faceCentres()[f]) & S;
+        if
+        (
+            (d > 0) == (mesh_.faceOwner()[f] == cell)
+         || d*d < margin*magSqr(S)
+        )
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+
 Foam::label Foam::coupling::cellBins::walk
 (
     const point& p,
@@ -151,6 +166,11 @@ Foam::label Foam::coupling::cellBins::walk
     label c = start;
     for (label step = 0; step < 32; ++step)
     {
+        if (wellInside(p, c))
+        {
+            return c;
+        }
+
         label through = -1;
         scalar worst = -GREAT;
         for (const label f : mesh_.cells()[c])
@@ -166,7 +186,7 @@ Foam::label Foam::coupling::cellBins::walk
             }
         }
 
-        if (mag(worst) < onFace*radius_[c])
+        if (mag(worst) < roundOff*radius_[c])
         {
             return -1;
         }
@@ -210,7 +230,7 @@ Foam::label Foam::coupling::cellBins::find
     const pointField& cc = mesh_.cellCentres();
     label found = -1;
     scalar least = GREAT;
-    const scalar ball = 1e-6*maxRadius_;
+    const scalar ball = roundOff*maxRadius_;
 
     // How well it is found: not, by the decomposition, on a face, inside
     label best = 0;
@@ -222,9 +242,9 @@ Foam::label Foam::coupling::cellBins::find
         }
         const scalar d = outside(p, c);
         const label kind =
-            d <= -onFace
+            d <= -roundOff
           ? 3
-          : d < onFace
+          : d < roundOff
           ? 2
           : best < 2
          && d < least

@@ -76,14 +76,9 @@ Foam::vector Foam::dem::packedBodies::kicked
     const scalar h
 ) const
 {
-    if (!drag_)
-    {
-        return v + (pending + h)*a;
-    }
-
-    // One after the other, as the drag follows the velocity
-    const vector now = pending > 0 ? v + drag_->kick(b, v, a, pending) : v;
-    return h > 0 ? now + drag_->kick(b, now, a, h) : now;
+    // All else is the same before and after: one kick, which the drag follows
+    const scalar all = pending + h;
+    return v + (drag_ && all > 0 ? drag_->kick(b, v, a, all) : all*a);
 }
 
 

@@ -9,13 +9,12 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "fluidSampler.H"
-#include "cellPointWeight.H"
+#include "cellBins.H"
 #include "correctedSnGrad.H"
 #include "fvcSurfaceIntegrate.H"
 #include "gaussGrad.H"
 #include "interpolation.H"
 #include "linear.H"
-#include "pointMeans.H"
 #include "rankSum.H"
 #include "volFields.H"
 
@@ -82,23 +81,15 @@ void Foam::coupling::fluidSampler::interpolate
     const Setter& set
 ) const
 {
-    if (scheme_ == "cellPoint")
+    if (linear())
     {
-        const auto means(pointMeans::New(mesh_).at(field));
-        const Field<Type>& atPoint = means().primitiveField();
-        forAll(mine, k)
-        {
-            const cellPointWeight w(mesh_, points[mine[k]], cells[k]);
-            Type value = w.weights()[0]*field[cells[k]];
-            for (direction i = 0; i < 3; ++i)
-            {
-                value += w.weights()[i + 1]*atPoint[w.faceVertices()[i]];
-            }
-            set(mine[k], value);
-        }
+        weights_.interpolate
+        (
+            field,
+            [&](const label k, const Type& value) { set(mine[k], value); }
+        );
         return;
     }
-
     const auto at = Foam::interpolation<Type>::New(scheme_, field);
     forAll(mine, k)
     {
@@ -256,6 +247,34 @@ void Foam::coupling::fluidSampler::sampleCells
 }
 
 
+Foam::labelList Foam::coupling::fluidSampler::ownPoints
+(
+    const labelUList& cellOf
+) const
+{
+    // On faces between ranks the cell with the largest claim has a point
+    List<scalar> claim(cellOf.size(), -GREAT);
+    forAll(cellOf, b)
+    {
+        if (cellOf[b] >= 0)
+        {
+            claim[b] = cellBins::claim(mesh_.cellCentres()[cellOf[b]]);
+        }
+    }
+    const List<scalar> own(Pstream::parRun() ? claim : List<scalar>());
+    dem::maxOverRanks(claim);
+    DynamicList<label> mine(cellOf.size());
+    forAll(cellOf, b)
+    {
+        if (cellOf[b] >= 0 && (own.empty() || own[b] == claim[b]))
+        {
+            mine.append(b);
+        }
+    }
+    return labelList(std::move(mine));
+}
+
+
 void Foam::coupling::fluidSampler::share(List<fluidAtPoint>& fluid) const
 {
     if (!Pstream::parRun())
@@ -282,7 +301,6 @@ void Foam::coupling::fluidSampler::share(List<fluidAtPoint>& fluid) const
 Foam::coupling::fluidSampler::fluidSampler
 (
     const fvMesh& mesh,
-    const cellBins& bins,
     const fluidDensity& rho,
     const dictionary& fluid,
     const dictionary& forces,
@@ -292,13 +310,13 @@ Foam::coupling::fluidSampler::fluidSampler
 )
 :
     mesh_(mesh),
-    bins_(bins),
     rho_(rho),
     nu_(mesh, fluid),
     forces_(forces),
     g_(g),
     scheme_(scheme),
-    needs_(0)
+    needs_(0),
+    weights_(mesh)
 {
     setNeeds(needs);
 }
@@ -336,50 +354,45 @@ void Foam::coupling::fluidSampler::setNeeds(const unsigned needed)
 }
 
 
-Foam::List<Foam::coupling::fluidAtPoint>
+Foam::List<Foam::coupling::fluidAtPoint>&
 Foam::coupling::fluidSampler::sample
 (
     const UList<point>& points,
-    const labelUList& near,
+    const labelUList& cellOf,
     const volVectorField& U,
     const volScalarField* voidFraction
-) const
+)
 {
-    List<fluidAtPoint> fluid(points.size());
-
-    // Who has a point: on faces between ranks the cell with the largest claim
-    labelList cellOf(points.size());
-    List<scalar> claim(points.size());
-    forAll(points, b)
+    List<fluidAtPoint>& fluid = fluid_;
+    fluid.setSize(points.size());
+    const labelList mine(ownPoints(cellOf));
+    if (needs_ || Pstream::parRun() || mine.size() < points.size())
     {
-        cellOf[b] = bins_.find(points[b], near[b]);
-        claim[b] = cellOf[b] < 0 ? -GREAT : bins_.claim(cellOf[b]);
-    }
-    const List<scalar> own(claim);
-    dem::maxOverRanks(claim);
-    DynamicList<label> mine, cells;
-    forAll(points, b)
-    {
-        if (cellOf[b] >= 0 && own[b] == claim[b])
+        // What is found is set or added up: a sum over the ranks follows, and
+        // nobody's point is in no fluid
+        fluid = fluidAtPoint();
+        for (fluidAtPoint& f : fluid)
         {
-            mine.append(b);
-            cells.append(cellOf[b]);
-        }
-        else
-        {
-            // A sum over the ranks follows; nobody's point is in no fluid
-            fluid[b].voidFraction = 0;
-            fluid[b].ownShare = 0;
+            f.voidFraction = 0;
+            f.ownShare = 0;
         }
     }
+    const labelList cells(UIndirectList<label>(cellOf, mine));
 
     // Decomposition of cells and point values are made by all ranks
     mesh_.tetBasePtIs();
+    if (linear())
+    {
+        weights_.find(points, mine, cells);
+    }
     const scalarField cellNu(nu_(cells));
     forAll(mine, k)
     {
-        fluid[mine[k]].rho = rho_[cells[k]];
-        fluid[mine[k]].nu = cellNu[k];
+        fluidAtPoint& f = fluid[mine[k]];
+        f.rho = rho_[cells[k]];
+        f.nu = cellNu[k];
+        f.voidFraction = 1;
+        f.ownShare = 1;
     }
     interpolate
     (

@@ -25,10 +25,13 @@ Foam::coupling::pointForces::pointForces
 )
 :
     mesh_(mesh),
+    bins_(bins),
     cells_(cells),
     dem_(dem),
     drag_(dragLaw::New(forces)),
     sphericity_(0),
+    grains_(1),
+    grainWidth_(1),
     sumOfSpheres_(false),
     followsBody_(drag_.valid()),
     steps_(1),
@@ -37,6 +40,7 @@ Foam::coupling::pointForces::pointForces
 {
     checkInput(forces);
     readDrag(forces);
+    readGrains(forces);
     readForces(forces);
 
     unsigned needs = 0;
@@ -51,7 +55,6 @@ Foam::coupling::pointForces::pointForces
         new fluidSampler
         (
             mesh,
-            bins,
             rho,
             fluid,
             forces,

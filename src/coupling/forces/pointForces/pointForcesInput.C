@@ -22,6 +22,7 @@ void Foam::coupling::pointForces::checkInput(const dictionary& forces) const
     keys.append("drag");
     keys.append("clumps");
     keys.append("interpolation");
+    keys.append("coarseGraining");
     dem::checkKeys(forces, keys);
 
     if (forces.isDict("drag"))
@@ -87,6 +88,40 @@ void Foam::coupling::pointForces::readDrag(const dictionary& forces)
           + " is that of a whole body; take equivalentSphere"
         );
     }
+}
+
+
+void Foam::coupling::pointForces::readGrains(const dictionary& forces)
+{
+    const word key("coarseGraining");
+    if (!forces.found(key))
+    {
+        return;
+    }
+    grains_ = dem::getInRange(forces, key, 1, 1e12);
+    grainWidth_ = 1/cbrt(grains_);
+    if (sumOfSpheres_)
+    {
+        dem::badEntry
+        (
+            forces,
+            key,
+            "is for bodies that stand for many grains, and clumps sumOfSpheres"
+            " for the spheres of one body; take equivalentSphere"
+        );
+    }
+    if (pointForce::switchedOn(undisturbedVelocity::typeName, forces))
+    {
+        dem::badEntry
+        (
+            forces,
+            key,
+            "does not go with undisturbedVelocity, which is the wake of one"
+            " body; take one of them out"
+        );
+    }
+    Info<< "    coarse graining: a body stands for " << grains_
+        << " grains, " << grainWidth_ << " as wide" << endl;
 }
 
 

@@ -31,7 +31,7 @@ Foam::scalar phi(const Foam::scalar z)
 
 Foam::pointField Foam::coupling::pointForces::elementPoints
 (
-    labelList& near
+    labelList& cellOf
 )
 {
     const dem::bodies& state = dem_.state();
@@ -50,13 +50,13 @@ Foam::pointField Foam::coupling::pointForces::elementPoints
         {
             for (label s = state.firstSphere[b]; s < state.firstSphere[b + 1];)
             {
-                points.append(state.sphereX[s++]);
-                cells.append(label(cells[b]));
+                points.append(state.sphereX[s]);
+                cells.append(bins_.find(state.sphereX[s++], cells[b]));
             }
         }
         first_[b + 1] = first_[b] + n;
     }
-    near.transfer(cells);
+    cellOf.transfer(cells);
     return pointField(std::move(points));
 }
 
@@ -72,13 +72,27 @@ Foam::coupling::pointBody Foam::coupling::pointForces::bodyOf
     return pointBody
     {
         state.id[b],
-        s.equivalentDiameter(),
-        s.volume(),
+        grainWidth_*s.equivalentDiameter(),
+        s.volume()/grains_,
         state.v[b],
         state.omega[b],
         mesh_.time().value() - mesh_.time().deltaTValue(),
         dt
     };
+}
+
+
+void Foam::coupling::pointForces::countGrains(pointSum& sum) const
+{
+    // A body's moment of inertia is that of so many grains, each at a distance
+    // that is larger as their widths are: it turns as one of them does if the
+    // torque is as much larger
+    const scalar turning = grains_/sqr(grainWidth_);
+    sum.force *= grains_;
+    sum.undisturbed *= grains_;
+    sum.addedMass *= grains_;
+    sum.torque *= turning;
+    sum.spin *= turning;
 }
 
 
@@ -125,10 +139,11 @@ void Foam::coupling::pointForces::setDrag
     {
         const fluidAtPoint& f = atElements[k];
         const bool whole = atElements.size() == 1;
-        const scalar d = whole ? s.equivalentDiameter() : 2*s.radii()[k];
+        const scalar d =
+            grainWidth_*(whole ? s.equivalentDiameter() : 2*s.radii()[k]);
 
         element& e = elements_[first_[b] + k];
-        e.stokes = 3*constant::mathematical::pi*f.rho*f.nu*d;
+        e.stokes = 3*constant::mathematical::pi*f.rho*f.nu*d*grains_;
         if (equations_ == averagedEquations::B && f.rho > 0)
         {
             e.stokes /= f.voidFraction;
@@ -252,6 +267,10 @@ Foam::coupling::pointForces::sumForces
     for (label b = 0; b < n; ++b)
     {
         change[b] = fluid[b].u - change[b];
+        if (grains_ != 1)
+        {
+            countGrains(sums[b]);
+        }
     }
     return sums;
 }
@@ -334,11 +353,11 @@ void Foam::coupling::pointForces::sample
     dem::bodies& state = dem_.state();
     const label n = state.size();
 
-    labelList near;
+    labelList cellOf;
     times_.start();
-    const pointField points(elementPoints(near));
+    const pointField points(elementPoints(cellOf));
     times_.lap("locating");
-    List<fluidAtPoint> fluid(sampler_->sample(points, near, U, alpha));
+    List<fluidAtPoint>& fluid = sampler_->sample(points, cellOf, U, alpha);
     times_.lap("sampling of the fluid");
     List<vector> change;
     const List<pointSum> sums(sumForces(fluid, change, dt));
@@ -368,9 +387,13 @@ void Foam::coupling::pointForces::sample
         }
     }
     state.drag = followsBody_ ? this : nullptr;
+    if (followsBody_)
+    {
+        expand(state.v);
+    }
     if (watched_)
     {
-        sampled_.transfer(fluid);
+        sampled_ = fluid;
     }
     checkRange();
 }

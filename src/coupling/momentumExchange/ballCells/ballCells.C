@@ -20,12 +20,25 @@ Foam::labelList Foam::coupling::ballCells::cells
 {
     // From where they were; a sphere that is another one now walks from there
     const label n = state.nSpheres();
+    const labelList& centres = centres_.find(state);
     last_.setSize(n, -1);
-    forAll(last_, s)
+    forAll(state.x, b)
     {
-        last_[s] = bins_.find(state.sphereX[s], last_[s]);
+        const label first = state.firstSphere[b];
+        const label end = state.firstSphere[b + 1];
+        for (label s = first; s < end; ++s)
+        {
+            last_[s] =
+                state.sphereX[s] == state.x[b]
+              ? centres[b]
+              : bins_.find(state.sphereX[s], last_[s]);
+        }
     }
     labelList cell(last_);
+    if (!Pstream::parRun() && !cell.found(-1))
+    {
+        return cell;
+    }
 
     // On faces between ranks several have it: all but one let go
     List<scalar> claim(n, -GREAT);
@@ -97,7 +110,9 @@ Foam::List<Foam::coupling::cellBall> Foam::coupling::ballCells::find
 
     body_.clear();
     share_.clear();
-    DynamicList<cellBall> balls;
+    DynamicList<cellBall> balls(cell.size());
+    body_.reserve(cell.size());
+    share_.reserve(cell.size());
     forAll(state.x, b)
     {
         const label first = state.firstSphere[b];

@@ -29,6 +29,16 @@ const Foam::dictionary& exchangeDict(const Foam::dictionary& dict)
         dict.found(name) ? dict.subDict(name) : Foam::dictionary::null;
 }
 
+
+//- 1 - exp(-z), z not below 0; as a series where it is short
+Foam::scalar fallen(const Foam::scalar z)
+{
+    return
+        z > 0.01
+      ? -std::expm1(-z)
+      : z*(1 - z/2*(1 - z/3*(1 - z/4*(1 - z/5))));
+}
+
 } // End anonymous namespace
 
 
@@ -46,7 +56,15 @@ void Foam::coupling::momentumExchange::place()
     }
     const List<scalar> ofBalls(ballCells_.share(volume));
     scalarField solids(spread_->spread(ofBalls));
+    if (keepMoved_)
+    {
+        moved_ = solids;
+    }
     excess_ = packing_.apply(mesh_, solids);
+    if (keepMoved_)
+    {
+        moved_ = solids - moved_;
+    }
     alpha_.primitiveFieldRef() = 1 - solids;
     alpha_.correctBoundaryConditions();
 
@@ -66,17 +84,20 @@ void Foam::coupling::momentumExchange::findImpulses()
     J_.setSize(n);
     response_.setSize(n);
     v_ = state.v;
-    rest_ = List<vector>(n, vector(Zero));
+    if (!dem_.moves())
+    {
+        rest_ = List<vector>(n, vector(Zero));
+    }
 
     for (label b = 0; b < n; ++b)
     {
         const vector slip = forces_.fluidVelocity(b) - state.v[b];
-        const scalar k = state.drag ? forces_.rate(b, mag(slip)) : 0;
+        const scalar k = state.drag ? forces_.rateNear(b, mag(slip)) : 0;
         const scalar m = state.mass[b];
         J_[b] = dt*forces_.lostByFluid(b);
         if (dem_.moves())
         {
-            response_[b] = -theta_*m*std::expm1(-k*dt);
+            response_[b] = theta_*m*fallen(k*dt);
             J_[b] += b < state.dragGiven.size()
               ? m*state.dragGiven[b]
               : vector(Zero);
@@ -151,6 +172,7 @@ Foam::coupling::momentumExchange::momentumExchange
 (
     const fvMesh& mesh,
     const cellBins& bins,
+    bodyCells& centres,
     dem::demSolver& dem,
     const fluidDensity& rho,
     exchangedForces& forces,
@@ -173,7 +195,7 @@ Foam::coupling::momentumExchange::momentumExchange
         )
     ),
     packing_(dict.subDict("voidFraction")),
-    ballCells_(mesh, bins),
+    ballCells_(mesh, bins, centres),
     equations_(averagedEquations::none),
     theta_(1),
     alpha_
@@ -237,6 +259,14 @@ void Foam::coupling::momentumExchange::start()
 {
     place();
     alpha_.oldTime();
+}
+
+
+void Foam::coupling::momentumExchange::bodiesChanged()
+{
+    volScalarField& before = alpha_.oldTime();
+    place();
+    before == alpha_;
 }
 
 
@@ -315,7 +345,6 @@ void Foam::coupling::momentumExchange::meshChanged()
 
 Foam::vector Foam::coupling::momentumExchange::toBodies() const
 {
-    const dem::bodies& state = dem_.state();
     vector sum(Zero);
     forAll(J_, b)
     {

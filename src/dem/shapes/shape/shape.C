@@ -37,6 +37,7 @@ void Foam::dem::shape::set
 
     unionVolume_ = hull.volume;
     volume_ = mass.volume;
+    equivalentDiameter_ = std::cbrt(6*volume_/constant::mathematical::pi);
     centreOfMass_ = mass.centroid;
     mass.principalAxes(toUser_, inertiaPerDensity_);
 
@@ -114,6 +115,7 @@ Foam::dem::shape Foam::dem::shape::scaled
     s.centreOfMass_ *= factor;
     s.boundingRadius_ *= factor;
     s.volume_ *= pow3(factor);
+    s.equivalentDiameter_ *= factor;
     s.unionVolume_ *= pow3(factor);
     s.inertiaPerDensity_ *= pow5(factor);
     return s;
@@ -121,12 +123,6 @@ Foam::dem::shape Foam::dem::shape::scaled
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::scalar Foam::dem::shape::equivalentDiameter() const
-{
-    return std::cbrt(6*volume_/constant::mathematical::pi);
-}
-
 
 Foam::scalar Foam::dem::shape::minRadius() const
 {

@@ -1,0 +1,158 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+Description
+    Linear interpolation to points: a linear field is exact on any mesh, the
+    weights are between 0 and 1, and what is found does not depend on where the
+    points were before; the cells of bodies on their way, too.
+
+\*---------------------------------------------------------------------------*/
+
+#include "bodyCells.H"
+#include "demCase.H"
+#include "figure.H"
+#include "pointWeights.H"
+#include "Random.H"
+#include "testMeshes.H"
+
+using namespace Foam;
+using namespace styxTest;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+const blockMesh::kind kinds[] =
+{
+    blockMesh::kind::hex,
+    blockMesh::kind::tet,
+    blockMesh::kind::refined
+};
+
+
+//- Points at random, on faces, edges and vertices
+pointField somePoints(const polyMesh& mesh)
+{
+    Random random(7);
+    pointField x(3000);
+    for (point& p : x)
+    {
+        p = 0.999*(random.sample01<vector>() - 0.5*vector::one);
+    }
+    x.append(mesh.cellCentres());
+    x.append(mesh.faceCentres());
+    x.append(mesh.points());
+    return x;
+}
+
+
+labelList cellsOf(const coupling::cellBins& bins, const pointField& x)
+{
+    labelList cells(x.size());
+    forAll(x, i)
+    {
+        cells[i] = bins.find(x[i]);
+    }
+    return cells;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(pointWeights, linear)
+{
+    scalar off = 0, outside = 0;
+    label other = 0;
+    for (const blockMesh::kind kind : kinds)
+    {
+        const blockMesh block(kind, 1, 7);
+        const polyMesh& mesh = block();
+        const coupling::cellBins bins(mesh);
+        const labelList all(identity(somePoints(mesh).size()));
+        coupling::pointWeights kept(mesh);
+
+        // They walk; those that remember against some that do not
+        Random random(11);
+        pointField x(somePoints(mesh));
+        for (label step = 0; step < 20; ++step)
+        {
+            const labelList cells(cellsOf(bins, x));
+            coupling::pointWeights fresh(mesh);
+            kept.find(x, all, cells);
+            fresh.find(x, all, cells);
+
+            const scalarField one(mesh.nCells(), 1);
+            const scalarField none(mesh.nPoints(), 0);
+            forAll(x, k)
+            {
+                const vector at =
+                    kept.value<vector>(k, mesh.cellCentres(), mesh.points());
+                other += at != fresh.value<vector>
+                (
+                    k,
+                    mesh.cellCentres(),
+                    mesh.points()
+                );
+                off = max(off, mag(at - x[k]));
+                const scalar w = kept.value<scalar>(k, one, none);
+                outside = max(outside, max(w - 1, -w));
+            }
+            for (point& p : x)
+            {
+                p += 0.01*(random.sample01<vector>() - 0.5*vector::one);
+                p = max(min(p, 0.499*vector::one), -0.499*vector::one);
+            }
+        }
+    }
+    figure("pointWeights_linear", off, -noBar, 1e-12, "of the box",
+        "a linear field is exact: hex, tet, refined");
+    figure("pointWeights_bounded", outside, -noBar, 1e-12, "-",
+        "share of the cell from 0 to 1");
+    figure("pointWeights_past", other, 0, 0, "values",
+        "the same from any tetrahedron, bitwise");
+}
+
+
+TEST(pointWeights, bodyCells)
+{
+    PtrList<dem::shape> shapes(1);
+    shapes.set(0, new dem::shape(dem::shape::sphere("ball", 0.01)));
+    dem::bodies state(shapes);
+    Random random(13);
+    for (label b = 0; b < 2000; ++b)
+    {
+        dem::newBody n;
+        n.shapeI = 0;
+        n.materialI = 0;
+        n.density = 1;
+        n.position = 0.98*(random.sample01<vector>() - 0.5*vector::one);
+        state.append(n);
+    }
+
+    const blockMesh block(blockMesh::kind::refined, 1, 9);
+    const coupling::cellBins bins(block());
+    coupling::bodyCells cells(bins);
+    label other = 0;
+    for (label step = 0; step < 200; ++step)
+    {
+        const labelList& found = cells.find(state);
+        forAll(state.x, b)
+        {
+            other += found[b] != bins.find(state.x[b]);
+            state.x[b] += 0.01*(random.sample01<vector>() - 0.5*vector::one);
+        }
+    }
+    figure("bodyCells_walk", other, 0, 0, "bodies",
+        "those that are looked for from nowhere, 2000 bodies, 200 steps");
+}
+
+
+// ************************************************************************* //
