@@ -168,6 +168,44 @@ TEST(cellBins, walk)
 }
 
 
+// The first points of a mesh are sought in bins, the others in a tree
+TEST(cellBins, binsOrTree)
+{
+    label differ = 0;
+    for (const blockMesh::kind kind : kinds)
+    {
+        const blockMesh block(kind, 1, 14);
+        const polyMesh& mesh = block();
+        const label n = mesh.nCells()/100 - 1;
+        ASSERT_GT(n, 20);
+
+        Random random(7);
+        pointField points(n);
+        forAll(points, k)
+        {
+            points[k] = 1.1*(random.sample01<vector>() - 0.5*vector::one);
+            points[k] = k % 3 == 0 ? mesh.faceCentres()[17*k] : points[k];
+            points[k] = k % 3 == 1 ? mesh.points()[11*k] : points[k];
+        }
+
+        const coupling::cellBins bins(mesh);
+        labelList first(n);
+        forAll(points, k)
+        {
+            first[k] = bins.find(points[k]);
+        }
+        bins.find(Zero);
+        bins.find(Zero);
+        forAll(points, k)
+        {
+            differ += bins.find(points[k]) != first[k];
+        }
+    }
+    figure("cellBins_binsOrTree", differ, 0, 0, "points",
+        "the same points sought again");
+}
+
+
 // A mesh graded by a factor of 1000: a search looks at few cells all the same
 TEST(cellBins, graded)
 {

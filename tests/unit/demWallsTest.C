@@ -147,6 +147,17 @@ public:
         return walls_.trial();
     }
 
+    //- The same if the walls near it were sorted out where it was before
+    const Foam::UList<wallTouch>& from(const point& before, const point& x)
+    {
+        at(before);
+        walls_.narrow(packedBodies(state_), Foam::scalarList(1, 0.02));
+        state_.x[0] = x;
+        state_.update();
+        walls_.findTouches(packedBodies(state_));
+        return walls_.trial();
+    }
+
     wallSet& walls()
     {
         return walls_;
@@ -279,6 +290,41 @@ TEST(demWalls, vertexOnce)
     ASSERT_EQ(touches.size(), 1);
     EXPECT_NEAR(touches[0].overlap, 0.05, 1e-12);
     EXPECT_LT(mag(touches[0].p), 1e-12);
+}
+
+
+// Walls that were sorted out for a short way are all there at its end
+TEST(demWalls, narrowed)
+{
+    triangles fine(tiles(20));
+    for (corners& c : fine)
+    {
+        for (point& p : c)
+        {
+            p *= 30;
+        }
+    }
+    touched t(fine);
+    std::mt19937 random(5);
+    const auto uniform = [&]() { return random()/2147483648.0 - 1; };
+    label differ = 0;
+    label touching = 0;
+    for (int n = 0; n < 1000; ++n)
+    {
+        const point x(uniform(), uniform(), 1 + 0.03*uniform());
+        vector way(uniform(), uniform(), uniform());
+        way *= 0.0199/mag(way);
+        const Foam::List<wallTouch> expected(t.at(x + way));
+        const Foam::List<wallTouch> found(t.from(x, x + way));
+        touching += expected.size();
+        differ +=
+            found.size() != expected.size()
+         || (found.size() && found[0].overlap != expected[0].overlap);
+    }
+    EXPECT_GT(touching, 300);
+    EXPECT_LT(touching, 700);
+    figure("walls_narrowed", differ, 0, 0, "contacts",
+        "the same walls, all looked at");
 }
 
 

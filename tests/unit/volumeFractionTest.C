@@ -348,14 +348,18 @@ TEST(volumeFraction, unionOfTwo)
 TEST(volumeFraction, linear)
 {
     // Corners below 0 of a tetrahedron cut by planes: closed forms
-    typedef coupling::volumeFraction vf;
-    typedef FixedList<scalar, 4> four;
-    EXPECT_EQ(vf::negativeFraction(four({1, 2, 3, 4})), 0);
-    EXPECT_EQ(vf::negativeFraction(four({-1, -2, -3, 0})), 1);
-    EXPECT_NEAR(vf::negativeFraction(four({-1, 1, 1, 1})), 0.125, 1e-15);
-    EXPECT_NEAR(vf::negativeFraction(four({-1, -1, 1, 1})), 0.5, 1e-15);
-    EXPECT_NEAR(vf::negativeFraction(four({-1, -1, 1, -1})), 0.875, 1e-15);
-    EXPECT_NEAR(vf::negativeFraction(four({3, -1, -1, -1})), 1 - 27./64, 1e-15);
+    const auto part = coupling::cutTets::negativeFraction;
+    EXPECT_EQ(part(1, 2, 3, 4), 0);
+    EXPECT_EQ(part(-1, -2, -3, 0), 1);
+    EXPECT_NEAR(part(-1, 1, 1, 1), 0.125, 1e-15);
+    EXPECT_NEAR(part(-1, -1, 1, 1), 0.5, 1e-15);
+    EXPECT_NEAR(part(-1, -1, 1, -1), 0.875, 1e-15);
+    EXPECT_NEAR(part(3, -1, -1, -1), 1 - 27./64, 1e-15);
+
+    // Corners on the plane
+    EXPECT_NEAR(part(0, 0, 0, 1), 0, 1e-15);
+    EXPECT_NEAR(part(-1, 0, 0, 0), 1, 1e-15);
+    EXPECT_NEAR(part(-1, 0, 0, 1), 0.5, 1e-15);
 }
 
 

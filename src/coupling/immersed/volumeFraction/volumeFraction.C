@@ -25,15 +25,6 @@ Foam::scalar Foam::coupling::volumeFraction::volume(const tet& t)
 }
 
 
-Foam::scalar Foam::coupling::volumeFraction::negativeFraction
-(
-    const FixedList<scalar, 4>& phi
-)
-{
-    return cutTets::negativeFraction(phi[0], phi[1], phi[2], phi[3]);
-}
-
-
 bool Foam::coupling::volumeFraction::creased(const tet& t)
 {
     if (oneSphere(t))
