@@ -216,6 +216,11 @@ Foam::sceneSurvey::sceneSurvey
     share();
     for (kind& k : kinds_)
     {
+        // A material that only walls are of may have no density
+        if (!k.any())
+        {
+            continue;
+        }
         sceneNumbers& n = k.numbers;
         n.nBodies = nAll;
         n.meanFraction = volume/domain_;
@@ -236,7 +241,7 @@ Foam::List<Foam::sceneNumbers> Foam::sceneSurvey::numbers() const
     DynamicList<sceneNumbers> all;
     for (const kind& k : kinds_)
     {
-        if (k.nNow + k.nToCome > 0)
+        if (k.any())
         {
             all.append(k.numbers);
         }
