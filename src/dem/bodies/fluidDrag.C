@@ -107,32 +107,6 @@ Foam::scalar Foam::dem::fluidDrag::meanRate
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::dem::fluidDrag::expand(const UList<vector>& v)
-{
-    // Half the width of the range over the slip; what is left out of a rate
-    // that grows with a power of it is below 3e-6
-    const scalar width = 0.05;
-
-    near_.setSize(v.size());
-    forAll(v, b)
-    {
-        local& l = near_[b];
-        l.u = fluidVelocity(b);
-        l.massShare = massShare(b);
-        l.slip = mag(l.u - v[b]);
-        l.k = rate(b, l.slip);
-
-        const scalar d = width*l.slip;
-        const scalar below = rate(b, l.slip - d) - l.k;
-        const scalar above = rate(b, l.slip + d) - l.k;
-        const scalar bend = above + below;
-        l.range = mag(bend) < 1e-3*l.k ? d : -1;
-        l.slope = d > 0 ? (above - below)/(2*d) : 0;
-        l.curvature = d > 0 ? bend/(2*sqr(d)) : 0;
-    }
-}
-
-
 Foam::vector Foam::dem::fluidDrag::kick
 (
     const label b,

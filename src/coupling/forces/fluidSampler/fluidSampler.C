@@ -103,9 +103,8 @@ void Foam::coupling::fluidSampler::sampleDerived
     const volVectorField& U,
     const UList<point>& points,
     const labelUList& mine,
-    const labelUList& cells,
-    List<fluidAtPoint>& fluid
-) const
+    const labelUList& cells
+)
 {
     if (needs(fluidAtPoint::stressDivergence))
     {
@@ -117,7 +116,7 @@ void Foam::coupling::fluidSampler::sampleDerived
             cells,
             [&](const label b, const vector& value)
             {
-                fluid[b].divTau = fluid[b].rho*fluid[b].nu*value;
+                derived_[b].divTau = fluid_[b].rho*fluid_[b].nu*value;
             }
         );
     }
@@ -140,7 +139,7 @@ void Foam::coupling::fluidSampler::sampleDerived
             cells,
             [&](const label b, const tensor& value)
             {
-                fluid[b].curlU = 2*(*skew(value));
+                derived_[b].curlU = 2*(*skew(value));
             }
         );
     }
@@ -160,7 +159,7 @@ void Foam::coupling::fluidSampler::sampleDerived
             cells,
             [&](const label b, const vector& value)
             {
-                fluid[b].DuDt = value;
+                derived_[b].DuDt = value;
             }
         );
     }
@@ -171,9 +170,8 @@ void Foam::coupling::fluidSampler::samplePressure
 (
     const UList<point>& points,
     const labelUList& mine,
-    const labelUList& cells,
-    List<fluidAtPoint>& fluid
-) const
+    const labelUList& cells
+)
 {
     const volScalarField& p = lookup<volScalarField>("p").oldTime();
     const bool kinematic = p.dimensions() != dimPressure;
@@ -186,11 +184,11 @@ void Foam::coupling::fluidSampler::samplePressure
         cells,
         [&](const label b, const vector& value)
         {
-            const scalar rho = fluid[b].rho;
-            fluid[b].gradP = kinematic ? rho*value : value;
+            const scalar rho = fluid_[b].rho;
+            derived_[b].gradP = kinematic ? rho*value : value;
             if (weighs)
             {
-                fluid[b].gradP -= rho*g_;
+                derived_[b].gradP -= rho*g_;
             }
         }
     );
@@ -200,9 +198,8 @@ void Foam::coupling::fluidSampler::samplePressure
 void Foam::coupling::fluidSampler::sampleTurbulence
 (
     const labelUList& mine,
-    const labelUList& cells,
-    List<fluidAtPoint>& fluid
-) const
+    const labelUList& cells
+)
 {
     const auto& k = lookup<volScalarField>("k").oldTime();
     const bool omega = !mesh_.foundObject<volScalarField>("epsilon");
@@ -210,7 +207,7 @@ void Foam::coupling::fluidSampler::sampleTurbulence
         lookup<volScalarField>(omega ? "omega" : "epsilon").oldTime();
     forAll(mine, i)
     {
-        fluidAtPoint& f = fluid[mine[i]];
+        derivedFluid& f = derived_[mine[i]];
         f.k = k[cells[i]];
         f.epsilon = omega ? 0.09*f.k*rate[cells[i]] : rate[cells[i]];
     }
@@ -221,15 +218,15 @@ void Foam::coupling::fluidSampler::sampleCells
 (
     const UList<point>& points,
     const labelUList& mine,
-    const labelUList& cells,
-    List<fluidAtPoint>& fluid
-) const
+    const labelUList& cells
+)
 {
     forAll(mine, i)
     {
-        fluidAtPoint& f = fluid[mine[i]];
+        derivedFluid& f = derived_[mine[i]];
         f.cellSize = std::cbrt(mesh_.V()[cells[i]]);
         f.toCentre = mesh_.C()[cells[i]] - points[mine[i]];
+        f.ownShare = 1;
         if (scheme_ == "cell")
         {
             continue;
@@ -275,24 +272,34 @@ Foam::labelList Foam::coupling::fluidSampler::ownPoints
 }
 
 
-void Foam::coupling::fluidSampler::share(List<fluidAtPoint>& fluid) const
+template<class Struct>
+void Foam::coupling::fluidSampler::share(List<Struct>& list)
 {
-    if (!Pstream::parRun())
-    {
-        return;
-    }
-
     // The points of other ranks are 0 here, so that a sum is a copy
-    static_assert
-    (
-        sizeof(fluidAtPoint) % sizeof(scalar) == 0,
-        "a list of numbers"
-    );
-    const label stride = sizeof(fluidAtPoint)/sizeof(scalar);
-    scalar* values = reinterpret_cast<scalar*>(fluid.data());
-    List<scalar> all(UList<scalar>(values, stride*fluid.size()));
+    static_assert(sizeof(Struct) % sizeof(scalar) == 0, "a list of numbers");
+    const label stride = sizeof(Struct)/sizeof(scalar);
+    scalar* values = reinterpret_cast<scalar*>(list.data());
+    List<scalar> all(UList<scalar>(values, stride*list.size()));
     dem::sumOverRanks(all);
     std::copy(all.begin(), all.end(), values);
+}
+
+
+void Foam::coupling::fluidSampler::clear(const label n, const bool all)
+{
+    // What is found is set or added up: a sum over the ranks follows, and
+    // nobody's point is in no fluid
+    fluid_.setSize(n);
+    if (all)
+    {
+        sampledFluid none;
+        none.voidFraction = 0;
+        fluid_ = none;
+    }
+    derived_.setSize(needs_ ? n : 0);
+    derivedFluid none;
+    none.ownShare = 0;
+    derived_ = none;
 }
 
 
@@ -354,8 +361,7 @@ void Foam::coupling::fluidSampler::setNeeds(const unsigned needed)
 }
 
 
-Foam::List<Foam::coupling::fluidAtPoint>&
-Foam::coupling::fluidSampler::sample
+void Foam::coupling::fluidSampler::sample
 (
     const UList<point>& points,
     const labelUList& cellOf,
@@ -363,36 +369,29 @@ Foam::coupling::fluidSampler::sample
     const volScalarField* voidFraction
 )
 {
-    List<fluidAtPoint>& fluid = fluid_;
-    fluid.setSize(points.size());
     const labelList mine(ownPoints(cellOf));
-    if (needs_ || Pstream::parRun() || mine.size() < points.size())
-    {
-        // What is found is set or added up: a sum over the ranks follows, and
-        // nobody's point is in no fluid
-        fluid = fluidAtPoint();
-        for (fluidAtPoint& f : fluid)
-        {
-            f.voidFraction = 0;
-            f.ownShare = 0;
-        }
-    }
+    clear(points.size(), Pstream::parRun() || mine.size() < points.size());
     const labelList cells(UIndirectList<label>(cellOf, mine));
 
     // Decomposition of cells and point values are made by all ranks
     mesh_.tetBasePtIs();
     if (linear())
     {
+        const label version = pointMeans::New(mesh_).version();
+        if (version != version_)
+        {
+            weights_.forget();
+            version_ = version;
+        }
         weights_.find(points, mine, cells);
     }
     const scalarField cellNu(nu_(cells));
     forAll(mine, k)
     {
-        fluidAtPoint& f = fluid[mine[k]];
+        sampledFluid& f = fluid_[mine[k]];
         f.rho = rho_[cells[k]];
         f.nu = cellNu[k];
         f.voidFraction = 1;
-        f.ownShare = 1;
     }
     interpolate
     (
@@ -400,7 +399,7 @@ Foam::coupling::fluidSampler::sample
         points,
         mine,
         cells,
-        [&](const label b, const vector& value) { fluid[b].u = value; }
+        [&](const label b, const vector& value) { fluid_[b].u = value; }
     );
     if (voidFraction)
     {
@@ -412,25 +411,28 @@ Foam::coupling::fluidSampler::sample
             cells,
             [&](const label b, const scalar value)
             {
-                fluid[b].voidFraction = value;
+                fluid_[b].voidFraction = value;
             }
         );
     }
-    sampleDerived(U, points, mine, cells, fluid);
+    sampleDerived(U, points, mine, cells);
     if (needs(fluidAtPoint::pressureGradient))
     {
-        samplePressure(points, mine, cells, fluid);
+        samplePressure(points, mine, cells);
     }
     if (needs(fluidAtPoint::turbulence))
     {
-        sampleTurbulence(mine, cells, fluid);
+        sampleTurbulence(mine, cells);
     }
     if (needs(fluidAtPoint::cell))
     {
-        sampleCells(points, mine, cells, fluid);
+        sampleCells(points, mine, cells);
     }
-    share(fluid);
-    return fluid;
+    if (Pstream::parRun())
+    {
+        share(fluid_);
+        share(derived_);
+    }
 }
 
 

@@ -116,23 +116,6 @@ void Foam::coupling::pointForces::noteExchange
 }
 
 
-Foam::scalar Foam::coupling::pointForces::largestRe() const
-{
-    const dem::bodies& state = dem_.state();
-
-    scalar largest = 0;
-    forAll(fluidVelocity_, b)
-    {
-        const scalar slip = mag(fluidVelocity_[b] - state.v[b]);
-        for (label i = first_[b]; i < first_[b + 1]; ++i)
-        {
-            largest = max(largest, elements_[i].ReOverSlip*slip);
-        }
-    }
-    return largest;
-}
-
-
 Foam::scalar Foam::coupling::pointForces::shortestRelaxation() const
 {
     const dem::bodies& state = dem_.state();

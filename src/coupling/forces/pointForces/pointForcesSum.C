@@ -29,18 +29,12 @@ Foam::scalar phi(const Foam::scalar z)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::pointField Foam::coupling::pointForces::elementPoints
-(
-    labelList& cellOf
-)
+void Foam::coupling::pointForces::findElements()
 {
     const dem::bodies& state = dem_.state();
 
-    DynamicList<point> points;
-    points.append(state.x);
-    DynamicList<label> cells;
-    cells.append(cells_.find(state));
-
+    points_ = state.x;
+    cellOf_ = cells_.find(state);
     first_.setSize(state.size() + 1);
     first_[0] = 0;
     forAll(state.x, b)
@@ -50,14 +44,12 @@ Foam::pointField Foam::coupling::pointForces::elementPoints
         {
             for (label s = state.firstSphere[b]; s < state.firstSphere[b + 1];)
             {
-                points.append(state.sphereX[s]);
-                cells.append(bins_.find(state.sphereX[s++], cells[b]));
+                points_.append(state.sphereX[s]);
+                cellOf_.append(bins_.find(state.sphereX[s++], cellOf_[b]));
             }
         }
         first_[b + 1] = first_[b] + n;
     }
-    cellOf.transfer(cells);
-    return pointField(std::move(points));
 }
 
 
@@ -103,8 +95,8 @@ Foam::coupling::dragShape Foam::coupling::pointForces::shapeSeen
 )
 {
     const dem::bodies& state = dem_.state();
-    const scalar speed = mag(slip);
-    if (!drag_->shaped() || !(speed > 0))
+    const scalar speed = drag_->shaped() ? mag(slip) : 0;
+    if (!(speed > 0))
     {
         return dragShape();
     }
@@ -125,19 +117,17 @@ Foam::coupling::dragShape Foam::coupling::pointForces::shapeSeen
 void Foam::coupling::pointForces::setDrag
 (
     const label b,
-    const fluidAtPoint& fluid,
-    const UList<fluidAtPoint>& atElements
+    const UList<sampledFluid>& atElements
 )
 {
     const dem::bodies& state = dem_.state();
     const dem::shape& s = state.shapeOf(b);
 
-    fluidVelocity_[b] = fluid.u;
     scalar weight = 0;
     vector mean = Zero;
     forAll(atElements, k)
     {
-        const fluidAtPoint& f = atElements[k];
+        const sampledFluid& f = atElements[k];
         const bool whole = atElements.size() == 1;
         const scalar d =
             grainWidth_*(whole ? s.equivalentDiameter() : 2*s.radii()[k]);
@@ -179,7 +169,7 @@ Foam::vector Foam::coupling::pointForces::meanTorque
     const label b,
     const pointSum& sum,
     const vector& omegaFluid,
-    const UList<fluidAtPoint>& atElements,
+    const UList<sampledFluid>& atElements,
     const scalar dt
 ) const
 {
@@ -223,56 +213,54 @@ Foam::vector Foam::coupling::pointForces::meanTorque
 }
 
 
-Foam::List<Foam::coupling::pointSum>
-Foam::coupling::pointForces::sumForces
+void Foam::coupling::pointForces::sumForces
 (
-    List<fluidAtPoint>& fluid,
-    List<vector>& change,
+    const label first,
+    const label n,
     const scalar dt
 )
 {
-    const label n = dem_.state().size();
-    DynamicList<pointBody> bodies(n);
-    change.setSize(n);
-    for (label b = 0; b < n; ++b)
+    block_.setSize(n);
+    seen_.setSize(n);
+    sums_.setSize(n);
+    for (label i = 0; i < n; ++i)
     {
-        bodies.append(bodyOf(b, dt));
-        change[b] = fluid[b].u;
+        block_[i] = bodyOf(first + i, dt);
+        sampler_->get(first + i, seen_[i]);
+        sums_[i] = pointSum();
     }
+    times_.pass();
 
     // Force by force, so that the time of each is known
     for (pointForce& f : forces_)
     {
-        for (label b = 0; b < n; ++b)
+        for (label i = 0; f.remembers() && i < n; ++i)
         {
-            if (fluid[b].rho > 0)
+            if (seen_[i].rho > 0)
             {
-                f.note(bodies[b], fluid[b]);
+                f.note(block_[i], seen_[i]);
             }
         }
-        times_.lap("force " + f.type());
+        if (f.remembers())
+        {
+            times_.lap("force " + f.type());
+        }
     }
-    List<pointSum> sums(n);
     for (const pointForce& f : forces_)
     {
-        for (label b = 0; b < n; ++b)
+        for (label i = 0; i < n; ++i)
         {
-            if (fluid[b].rho > 0)
+            if (seen_[i].rho > 0)
             {
-                f.add(bodies[b], fluid[b], sums[b]);
+                f.add(block_[i], seen_[i], sums_[i]);
             }
         }
         times_.lap("force " + f.type());
     }
-    for (label b = 0; b < n; ++b)
+    for (label i = 0; grains_ != 1 && i < n; ++i)
     {
-        change[b] = fluid[b].u - change[b];
-        if (grains_ != 1)
-        {
-            countGrains(sums[b]);
-        }
+        countGrains(sums_[i]);
     }
-    return sums;
 }
 
 
@@ -280,62 +268,83 @@ void Foam::coupling::pointForces::act
 (
     const label b,
     const pointSum& sum,
-    const vector& change,
     const fluidAtPoint& fluid,
-    UList<fluidAtPoint>& atElements,
+    UList<sampledFluid>& atElements,
     const scalar dt
 )
 {
     dem::bodies& state = dem_.state();
 
-    // The spheres of a clump see the same change; a single one is fluid itself
-    if (fluid.rho > 0 && atElements.size() > 1)
+    // What forces have changed of the velocity, the spheres of a clump see, too
+    const vector change = fluid.u - sampler_->fluid()[b].u;
+    for (sampledFluid& f : atElements)
     {
-        for (fluidAtPoint& f : atElements)
-        {
-            f.u += change;
-        }
+        f.u += change;
     }
 
     inertia_[b] = state.mass[b] + sum.addedMass;
     exchanged_[b] = sum.force;
-    setDrag(b, fluid, atElements);
+    fluidVelocity_[b] = fluid.u;
+    setDrag(b, atElements);
+    followBody(b);
     state.fluidForce[b] = sum.force + sum.undisturbed;
     state.fluidTorque[b] =
         meanTorque(b, sum, 0.5*fluid.curlU, atElements, dt);
 }
 
 
-void Foam::coupling::pointForces::checkRange()
+void Foam::coupling::pointForces::checkRange(const label b, const scalar slip)
 {
-    if (warned_ || !drag_.valid())
+    const dem::bodies& state = dem_.state();
+    const dragLaw::limits range(drag_->range());
+    for (label i = first_[b]; !warned_ && i < first_[b + 1]; ++i)
+    {
+        const element& e = elements_[i];
+        const scalar Re = e.ReOverSlip*slip;
+        if (e.stokes > 0 && !range.hold(Re, e.voidFraction))
+        {
+            warned_ = true;
+            Info<< "    The law of drag " << drag_->type()
+                << " is used outside of its range, by body "
+                << state.id[b] << " first: Re " << Re
+                << ", void fraction " << e.voidFraction << ";" << nl
+                << "    it was made for Re up to " << range.Re
+                << " and void fractions from " << range.least << " to "
+                << range.largest << ". It is used as it is." << endl;
+        }
+    }
+}
+
+
+void Foam::coupling::pointForces::followBody(const label b)
+{
+    const dem::bodies& state = dem_.state();
+    const vector& u = fluidVelocity_[b];
+    const scalar slip = mag(u - state.v[b]);
+    for (label i = first_[b]; i < first_[b + 1]; ++i)
+    {
+        largestRe_ = max(largestRe_, elements_[i].ReOverSlip*slip);
+    }
+    if (!warned_ && drag_.valid())
+    {
+        checkRange(b, slip);
+    }
+    if (!followsBody_)
     {
         return;
     }
 
-    const dem::bodies& state = dem_.state();
-    const dragLaw::limits range(drag_->range());
-    forAll(fluidVelocity_, b)
+    const scalar share = state.mass[b]/inertia_[b];
+    if (first_[b + 1] - first_[b] > 1 || !drag_.valid())
     {
-        const scalar slip = mag(fluidVelocity_[b] - state.v[b]);
-        for (label i = first_[b]; i < first_[b + 1]; ++i)
-        {
-            const element& e = elements_[i];
-            const scalar Re = e.ReOverSlip*slip;
-            if (e.stokes > 0 && !range.hold(Re, e.voidFraction))
-            {
-                warned_ = true;
-                Info<< "    The law of drag " << drag_->type()
-                    << " is used outside of its range, by body "
-                    << state.id[b] << " first: Re " << Re
-                    << ", void fraction " << e.voidFraction << ";" << nl
-                    << "    it was made for Re up to " << range.Re
-                    << " and void fractions from " << range.least << " to "
-                    << range.largest << ". It is used as it is." << endl;
-                return;
-            }
-        }
+        const auto rateOf = [&](const scalar s) { return rate(b, s); };
+        expand(b, u, share, slip, rateOf);
+        return;
     }
+    const element& e = elements_[first_[b]];
+    const scalar perSlip = max(e.stokes, scalar(0))/inertia_[b];
+    const auto rateOf = [&](const scalar s) { return perSlip*factorOf(e, s); };
+    expand(b, u, share, slip, rateOf);
 }
 
 
@@ -353,31 +362,47 @@ void Foam::coupling::pointForces::sample
     dem::bodies& state = dem_.state();
     const label n = state.size();
 
-    labelList cellOf;
     times_.start();
-    const pointField points(elementPoints(cellOf));
+    findElements();
     times_.lap("locating");
-    List<fluidAtPoint>& fluid = sampler_->sample(points, cellOf, U, alpha);
+    sampler_->sample(points_, cellOf_, U, alpha);
     times_.lap("sampling of the fluid");
-    List<vector> change;
-    const List<pointSum> sums(sumForces(fluid, change, dt));
 
     elements_.setSize(first_[n]);
     fluidVelocity_.setSize(n);
     inertia_.setSize(n);
     exchanged_.setSize(n);
+    sampled_.setSize(watched_ ? n : 0);
+    startExpansion(followsBody_ ? n : 0);
+    largestRe_ = 0;
 
-    // A clump's spheres follow the centres of mass
+    // A clump's spheres follow the centres of mass. Blocks of bodies stay in
+    // the cache from force to force
     label next = n;
-    forAll(state.x, b)
+    const label blockSize = 512;
+    for (label first = 0; first < n; first += blockSize)
     {
-        const label nElements = first_[b + 1] - first_[b];
-        const bool whole = nElements == 1;
-        SubList<fluidAtPoint> own(fluid, nElements, whole ? b : next);
-        act(b, sums[b], change[b], fluid[b], own, dt);
-        next += whole ? 0 : nElements;
+        const label size = min(blockSize, n - first);
+        sumForces(first, size, dt);
+        for (label b = first; b < first + size; ++b)
+        {
+            const label nElements = first_[b + 1] - first_[b];
+            const bool whole = nElements == 1;
+            SubList<sampledFluid> own
+            (
+                sampler_->fluid(),
+                nElements,
+                whole ? b : next
+            );
+            act(b, sums_[b - first], seen_[b - first], own, dt);
+            next += whole ? 0 : nElements;
+        }
+        if (watched_)
+        {
+            SubList<fluidAtPoint>(sampled_, size, first) = seen_;
+        }
+        times_.lap("drag");
     }
-    times_.lap("drag");
 
     for (pointForce& f : forces_)
     {
@@ -387,15 +412,6 @@ void Foam::coupling::pointForces::sample
         }
     }
     state.drag = followsBody_ ? this : nullptr;
-    if (followsBody_)
-    {
-        expand(state.v);
-    }
-    if (watched_)
-    {
-        sampled_ = fluid;
-    }
-    checkRange();
 }
 
 

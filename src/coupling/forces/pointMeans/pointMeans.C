@@ -36,6 +36,8 @@ bool Foam::coupling::pointMeans::hasValues(const label patchi) const
 
 void Foam::coupling::pointMeans::makeWeights()
 {
+    static label last = 0;
+    version_ = ++last;
     const pointField& points = mesh_.points();
 
     labelList onPatch(points.size(), 0);

@@ -23,68 +23,68 @@ const Foam::scalar roundOff = 1e-9;
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::coupling::pointWeights::locate
+bool Foam::coupling::pointWeights::set
 (
-    const point& x,
+    tetrahedron& t,
     const label c,
-    const corner& t,
-    weighted& found
+    const label face,
+    const label triangle
 ) const
 {
-    const face& f = mesh_.faces()[t.face];
-    const label base = max(mesh_.tetBasePtIs()[t.face], label(0));
-    const label first = (base + t.triangle) % f.size();
-    found.cell = c;
-    found.vertex[0] = f[base];
-    found.vertex[1] = f[first];
-    found.vertex[2] = f[f.fcIndex(first)];
+    const Foam::face& f = mesh_.faces()[face];
+    const label base = max(mesh_.tetBasePtIs()[face], label(0));
+    const label first = (base + triangle) % f.size();
+    t.cell = c;
+    t.vertex[0] = f[base];
+    t.vertex[1] = f[first];
+    t.vertex[2] = f[f.fcIndex(first)];
 
     const pointField& points = mesh_.points();
-    const point& centre = mesh_.cellCentres()[c];
-    const vector e1 = points[found.vertex[0]] - centre;
-    const vector e2 = points[found.vertex[1]] - centre;
-    const vector e3 = points[found.vertex[2]] - centre;
-    const vector r = x - centre;
+    t.centre = mesh_.cellCentres()[c];
+    const vector e1 = points[t.vertex[0]] - t.centre;
+    const vector e2 = points[t.vertex[1]] - t.centre;
+    const vector e3 = points[t.vertex[2]] - t.centre;
     const vector n1 = e2 ^ e3;
     const scalar volume6 = e1 & n1;
     if (mag(volume6) < 1e-12*mesh_.cellVolumes()[c])
     {
-        return -GREAT;
+        return false;
     }
 
-    found.w[1] = (r & n1)/volume6;
-    found.w[2] = (r & (e3 ^ e1))/volume6;
-    found.w[3] = (r & (e1 ^ e2))/volume6;
+    t.gradient[0] = n1/volume6;
+    t.gradient[1] = (e3 ^ e1)/volume6;
+    t.gradient[2] = (e1 ^ e2)/volume6;
+    return true;
+}
+
+
+Foam::scalar Foam::coupling::pointWeights::locate
+(
+    const point& x,
+    const tetrahedron& t,
+    weighted& found
+)
+{
+    const vector r = x - t.centre;
+    found.cell = t.cell;
+    found.vertex = t.vertex;
+    found.w[1] = r & t.gradient[0];
+    found.w[2] = r & t.gradient[1];
+    found.w[3] = r & t.gradient[2];
     found.w[0] = 1 - found.w[1] - found.w[2] - found.w[3];
     return min(min(found.w[0], found.w[1]), min(found.w[2], found.w[3]));
 }
 
 
-bool Foam::coupling::pointWeights::belongs
-(
-    const corner& t,
-    const label c
-) const
-{
-    if (t.face < 0 || t.face >= mesh_.nFaces())
-    {
-        return false;
-    }
-    const bool here =
-        mesh_.faceOwner()[t.face] == c
-     || (mesh_.isInternalFace(t.face) && mesh_.faceNeighbour()[t.face] == c);
-    return here && t.triangle < mesh_.faces()[t.face].size() - 1;
-}
-
-
-Foam::coupling::pointWeights::corner Foam::coupling::pointWeights::search
+Foam::coupling::pointWeights::tetrahedron
+Foam::coupling::pointWeights::search
 (
     const point& x,
     const label c,
     weighted& best
 ) const
 {
-    corner found;
+    tetrahedron found, t;
     scalar deepest = -GREAT;
     weighted tried;
     for (const label face : mesh_.cells()[c])
@@ -92,8 +92,8 @@ Foam::coupling::pointWeights::corner Foam::coupling::pointWeights::search
         const label n = mesh_.faces()[face].size() - 2;
         for (label i = 1; i <= n; ++i)
         {
-            const corner t{face, i};
-            const scalar depth = locate(x, c, t, tried);
+            const scalar depth =
+                set(t, c, face, i) ? locate(x, t, tried) : -GREAT;
             if (depth > deepest)
             {
                 deepest = depth;
@@ -107,7 +107,7 @@ Foam::coupling::pointWeights::corner Foam::coupling::pointWeights::search
         }
     }
 
-    if (found.face < 0)
+    if (found.cell < 0)
     {
         // A cell without a volume: its own value
         const face& f = mesh_.faces()[mesh_.cells()[c].first()];
@@ -152,16 +152,15 @@ void Foam::coupling::pointWeights::find
     points_.setSize(mine.size());
     forAll(mine, k)
     {
-        corner& t = last_[mine[k]];
+        tetrahedron& t = last_[mine[k]];
         const point& x = points[mine[k]];
-        const label c = cells[k];
         if
         (
-            !belongs(t, c)
-         || !(locate(x, c, t, points_[k]) > roundOff)
+            t.cell != cells[k]
+         || !(locate(x, t, points_[k]) > roundOff)
         )
         {
-            t = search(x, c, points_[k]);
+            t = search(x, cells[k], points_[k]);
         }
     }
 }

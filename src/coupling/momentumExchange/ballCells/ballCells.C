@@ -13,7 +13,7 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::labelList Foam::coupling::ballCells::cells
+const Foam::labelList& Foam::coupling::ballCells::cells
 (
     const dem::bodies& state
 )
@@ -34,13 +34,14 @@ Foam::labelList Foam::coupling::ballCells::cells
               : bins_.find(state.sphereX[s], last_[s]);
         }
     }
-    labelList cell(last_);
-    if (!Pstream::parRun() && !cell.found(-1))
+    if (!Pstream::parRun() && !last_.found(-1))
     {
-        return cell;
+        return last_;
     }
 
     // On faces between ranks several have it: all but one let go
+    labelList& cell = own_;
+    cell = last_;
     List<scalar> claim(n, -GREAT);
     forAll(cell, s)
     {
@@ -101,18 +102,25 @@ Foam::labelList Foam::coupling::ballCells::cells
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::List<Foam::coupling::cellBall> Foam::coupling::ballCells::find
+void Foam::coupling::ballCells::find
 (
-    const dem::bodies& state
+    const dem::bodies& state,
+    List<cellBall>& balls
 )
 {
-    const labelList cell(cells(state));
+    const labelList& cell = cells(state);
 
-    body_.clear();
-    share_.clear();
-    DynamicList<cellBall> balls(cell.size());
-    body_.reserve(cell.size());
-    share_.reserve(cell.size());
+    label n = 0;
+    for (const label c : cell)
+    {
+        n += c >= 0;
+    }
+    whole_ = !Pstream::parRun() && n == state.size() && n == cell.size();
+    body_.setSize(n);
+    share_.setSize(n);
+    balls.setSize(n);
+
+    n = 0;
     forAll(state.x, b)
     {
         const label first = state.firstSphere[b];
@@ -126,29 +134,33 @@ Foam::List<Foam::coupling::cellBall> Foam::coupling::ballCells::find
         {
             if (cell[s] >= 0)
             {
-                body_.append(b);
-                share_.append(pow3(state.sphereR[s])/all);
-                balls.append({cell[s], state.sphereX[s], state.sphereR[s]});
+                body_[n] = b;
+                share_[n] = pow3(state.sphereR[s])/all;
+                balls[n] = {cell[s], state.sphereX[s], state.sphereR[s]};
+                ++n;
             }
         }
     }
-    return List<cellBall>(std::move(balls));
 }
 
 
-Foam::List<Foam::vector> Foam::coupling::ballCells::mean
+void Foam::coupling::ballCells::average
 (
-    const UList<vector>& q,
+    List<vector>& q,
     const label nBodies
 ) const
 {
+    if (whole_)
+    {
+        return;
+    }
     List<vector> ofBody(nBodies, vector(Zero));
     forAll(body_, i)
     {
         ofBody[body_[i]] += share_[i]*q[i];
     }
     dem::sumOverRanks(ofBody);
-    return ofBody;
+    q.transfer(ofBody);
 }
 
 

@@ -47,14 +47,16 @@ Foam::scalar fallen(const Foam::scalar z)
 void Foam::coupling::momentumExchange::place()
 {
     const dem::bodies& state = dem_.state();
-    spread_->place(ballCells_.find(state));
+    ballCells_.find(state, balls_);
+    spread_->place(std::move(balls_));
 
     List<scalar> volume(state.size());
     forAll(volume, b)
     {
         volume[b] = state.shapeOf(b).volume();
     }
-    const List<scalar> ofBalls(ballCells_.share(volume));
+    List<scalar> room;
+    const UList<scalar>& ofBalls = ballCells_.share(volume, room);
     scalarField solids(spread_->spread(ofBalls));
     if (keepMoved_)
     {
@@ -139,7 +141,7 @@ void Foam::coupling::momentumExchange::noteImpulses()
     {
         offset[i] = spread_->offset(i);
     }
-    offset = ballCells_.mean(offset, state.size());
+    ballCells_.average(offset, state.size());
     forAll(J_, b)
     {
         got.J = impulse(b);
@@ -276,10 +278,9 @@ void Foam::coupling::momentumExchange::project()
     alpha_.oldTime();
     place();
     findImpulses();
-    F_ = spread_->spread(ballCells_.share(J_))
-       /mesh_.time().deltaTValue();
-    K_ = spread_->spread(ballCells_.share(response_))
-       /mesh_.time().deltaTValue();
+    const scalar perTime = 1/mesh_.time().deltaTValue();
+    F_ = perTime*spread(J_);
+    K_ = perTime*spread(response_);
     checkDilute();
 }
 
@@ -317,10 +318,8 @@ void Foam::coupling::momentumExchange::finish(const volVectorField& U)
     (
         U.primitiveField() - U.oldTime().primitiveField()
     );
-    const List<vector> seen
-    (
-        ballCells_.mean(spread_->gather(change), state.size())
-    );
+    List<vector> seen(spread_->gather(change));
+    ballCells_.average(seen, state.size());
     forAll(seen, b)
     {
         if (dem_.moves())
