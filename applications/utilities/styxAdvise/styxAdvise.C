@@ -83,7 +83,7 @@ void compare(const dictionary& properties, const effectTable& table)
     );
     const bool points =
         coupling == "fluidToParticles"
-     || (coupling == "twoWay" && properties.found("forces"));
+     || (coupling != "none" && properties.found("forces"));
 
     label n = 0;
     const auto differ = [&](const word& name, const bool has)
@@ -116,7 +116,7 @@ void compare(const dictionary& properties, const effectTable& table)
                 lift || coupling::pointForce::switchedOn(name, forces)
             );
         }
-        differ("exchange", coupling == "twoWay");
+        differ("exchange", coupling != "fluidToParticles");
     }
     if (coupling != "none" && !points)
     {

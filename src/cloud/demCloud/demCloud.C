@@ -27,6 +27,21 @@ namespace
 //  known by another name
 const char* const points = "other on points";
 
+//- Leave nothing of what acts on bodies that are points but the buoyancy
+void keepBuoyancy
+(
+    Foam::dem::bodies& state,
+    const Foam::coupling::pointForces& points
+)
+{
+    state.drag = nullptr;
+    forAll(state.fluidForce, b)
+    {
+        state.fluidForce[b] -= points.lostByFluid(b);
+        state.fluidTorque[b] = Foam::Zero;
+    }
+}
+
 } // End anonymous namespace
 
 
@@ -194,6 +209,10 @@ void Foam::demCloud::samplePoints()
       ? exchanged_->equations()
       : coupling::averagedEquations::none
     );
+    if (coupling_ == "particlesToFluid")
+    {
+        keepBuoyancy(dem_->state(), *points_);
+    }
     for (const auto& t : points_->times().seconds())
     {
         ledger_.move(points, t.first, t.second);

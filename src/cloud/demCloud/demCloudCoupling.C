@@ -13,6 +13,36 @@ License
 #include "allowedKeys.H"
 #include "checkedEntry.H"
 
+// * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Stop at forces that need bodies that feel the fluid
+void checkPushed(const Foam::dictionary& forces)
+{
+    for
+    (
+        const char* name
+      : {"virtualMass", "basset", "lubrication", "pressureGradient", "viscous"}
+    )
+    {
+        if (Foam::coupling::pointForce::switchedOn(name, forces))
+        {
+            Foam::dem::badEntry
+            (
+                forces,
+                name,
+                "belongs to bodies that feel the fluid, and with coupling"
+                " particlesToFluid they do not; take it out, or coupling twoWay"
+            );
+        }
+    }
+}
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::demCloud::checkCoupling(const fluidAccess access) const
@@ -25,12 +55,12 @@ void Foam::demCloud::checkCoupling(const fluidAccess access) const
         }
     };
 
-    if (coupling_ == "twoWay" && dict_.found("immersed"))
+    if (actsOnFluid() && dict_.found("immersed"))
     {
         refuse
         (
             "forces",
-            "does not go with coupling twoWay and immersed: bodies are either"
+            "does not go with coupling " + coupling_ + " and immersed: bodies are either"
             " points to the fluid (forces, voidFraction) or fill its cells"
             " (immersed); take one of them out"
         );
@@ -58,18 +88,18 @@ void Foam::demCloud::checkCoupling(const fluidAccess access) const
     {
         const string why
         (
-            "does not go with coupling fluidToParticles, or twoWay with"
+            "does not go with coupling fluidToParticles, or another with"
             " forces, in which bodies are points to the fluid; take it out"
         );
         refuse("immersed", why);
         refuse("interface", why);
     }
-    if (coupling_ != "none" && !(points && coupling_ == "twoWay"))
+    if (coupling_ != "none" && !(points && actsOnFluid()))
     {
         const string why
         (
-            "belongs to coupling twoWay with forces, in which the fluid feels"
-            " bodies that are points to it; take it out"
+            "belongs to coupling twoWay or particlesToFluid with forces, in"
+            " which the fluid feels bodies that are points to it; take it out"
         );
         refuse("voidFraction", why);
         refuse("momentumExchange", why);
@@ -78,7 +108,7 @@ void Foam::demCloud::checkCoupling(const fluidAccess access) const
     if
     (
         points
-     && coupling_ != "twoWay"
+     && !actsOnFluid()
      && coupling::pointForce::switchedOn
         (
             "undisturbedVelocity",
@@ -92,15 +122,6 @@ void Foam::demCloud::checkCoupling(const fluidAccess access) const
             "undisturbedVelocity",
             "is of no use with coupling " + coupling_ + ": the fluid does not"
             " feel the bodies, so that they have no wake; take it out"
-        );
-    }
-    if (coupling_ != "none" && !points)
-    {
-        refuse
-        (
-            "forces",
-            "does not go with coupling " + coupling_ + ", in which the forces"
-            " follow from the flow around the bodies; take it out"
         );
     }
 }
@@ -119,7 +140,8 @@ void Foam::demCloud::makeExchange(const bool averaged)
             *rho_,
             *points_,
             dict_,
-            averaged
+            averaged,
+            coupling_ != "particlesToFluid"
         )
     );
     if (dict_.found("solidFields"))
@@ -151,6 +173,10 @@ void Foam::demCloud::readCoupling(const fluidAccess access)
 
     if (pointBodies())
     {
+        if (coupling_ == "particlesToFluid")
+        {
+            checkPushed(dict_.subDict("forces"));
+        }
         points_.reset
         (
             new coupling::pointForces
@@ -167,7 +193,7 @@ void Foam::demCloud::readCoupling(const fluidAccess access)
 
         // From here on the solver keeps the old time level
         U().oldTime();
-        if (coupling_ == "twoWay")
+        if (actsOnFluid())
         {
             makeExchange(access == fluidAccess::share);
         }

@@ -16,6 +16,7 @@ License
 #include "dictionaryText.H"
 #include "dynamicRefineFvMesh.H"
 #include "fvcFlux.H"
+#include "lubrication.H"
 #include "OSspecific.H"
 #include "uniformDimensionedFields.H"
 
@@ -133,6 +134,21 @@ Foam::dem::demInput Foam::demCloud::solverInput(const fluidAccess access)
             return patches_.triangles(labelList(1, p), old);
         };
     input.outlets = exits_.outlets();
+    const dictionary& forces = dict_.subOrEmptyDict("forces");
+    if
+    (
+        access != fluidAccess::none
+     && (pointBodies() || (effects_.automatic && !dict_.found("coupling")))
+     && coupling::lubrication::switchedOn(forces)
+    )
+    {
+        input.film = coupling::lubrication::read
+        (
+            mesh_,
+            dict_.subDict("fluid"),
+            forces
+        );
+    }
     if (sharesOut(access))
     {
         input.owner = []()

@@ -316,10 +316,13 @@ Foam::dictionary Foam::effectChoice::chooseCoupling
     }
 
     const bool solid =
-        coupling == "particlesToFluid"
-     || (
-            coupling == "twoWay" && !properties.found("forces")
-         && (properties.found("immersed") || table.on("immersed"))
+        !properties.found("forces")
+     && (
+            coupling == "particlesToFluid"
+         || (
+                coupling == "twoWay"
+             && (properties.found("immersed") || table.on("immersed"))
+            )
         );
     if (solid)
     {

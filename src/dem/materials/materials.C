@@ -301,8 +301,8 @@ Foam::label Foam::dem::materials::findOfBody
 
 Foam::scalar Foam::dem::materials::reachPerRadius() const
 {
-    // R of a sphere at a wall is twice its radius
-    scalar most = 0;
+    // R of a sphere at a wall is twice its radius, R* the radius itself
+    scalar most = laws_.film.range;
     for (const pairProperties& p : pairs_)
     {
         most = max(most, 2*p.bridgeReach);

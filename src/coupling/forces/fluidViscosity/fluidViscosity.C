@@ -15,16 +15,10 @@ License
 #include "dimensionedScalar.H"
 #include "volFields.H"
 
-// * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
 
-namespace
+Foam::scalar Foam::coupling::fluidViscosity::entry(const fvMesh& mesh)
 {
-
-//- The entry in constant/transportProperties, or 0 if it is not there
-Foam::scalar transportEntry(const Foam::fvMesh& mesh)
-{
-    using namespace Foam;
-
     IOobject io
     (
         "transportProperties",
@@ -45,8 +39,6 @@ Foam::scalar transportEntry(const Foam::fvMesh& mesh)
       ? dimensionedScalar("nu", dimViscosity, dict).value()
       : 0;
 }
-
-} // End anonymous namespace
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -71,7 +63,7 @@ Foam::coupling::fluidViscosity::fluidViscosity
         return;
     }
 
-    value_ = transportEntry(mesh);
+    value_ = entry(mesh);
     if (!(value_ > 0))
     {
         FatalIOErrorInFunction(fluid)

@@ -12,6 +12,7 @@ License
 #include "allowedKeys.H"
 #include "checkedEntry.H"
 #include "interpolation.H"
+#include "lubrication.H"
 #include "undisturbedVelocity.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -23,6 +24,7 @@ void Foam::coupling::pointForces::checkInput(const dictionary& forces) const
     keys.append("clumps");
     keys.append("interpolation");
     keys.append("coarseGraining");
+    keys.append(lubrication::name);
     dem::checkKeys(forces, keys);
 
     if (forces.isDict("drag"))
@@ -118,6 +120,16 @@ void Foam::coupling::pointForces::readGrains(const dictionary& forces)
             key,
             "does not go with undisturbedVelocity, which is the wake of one"
             " body; take one of them out"
+        );
+    }
+    if (lubrication::switchedOn(forces))
+    {
+        dem::badEntry
+        (
+            forces,
+            key,
+            "does not go with lubrication: bodies that stand for many grains"
+            " meet where no two grains do; take one of them out"
         );
     }
     Info<< "    coarse graining: a body stands for " << grains_

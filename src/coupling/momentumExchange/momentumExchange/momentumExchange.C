@@ -86,7 +86,7 @@ void Foam::coupling::momentumExchange::findImpulses()
     J_.setSize(n);
     response_.setSize(n);
     v_ = state.v;
-    if (!dem_.moves())
+    if (!responds())
     {
         rest_ = List<vector>(n, vector(Zero));
     }
@@ -94,10 +94,11 @@ void Foam::coupling::momentumExchange::findImpulses()
     for (label b = 0; b < n; ++b)
     {
         const vector slip = forces_.fluidVelocity(b) - state.v[b];
-        const scalar k = state.drag ? forces_.rateNear(b, mag(slip)) : 0;
+        const scalar k =
+            state.drag || !feels_ ? forces_.rateNear(b, mag(slip)) : 0;
         const scalar m = state.mass[b];
         J_[b] = dt*forces_.lostByFluid(b);
-        if (dem_.moves())
+        if (responds())
         {
             response_[b] = theta_*m*fallen(k*dt);
             J_[b] += b < state.dragGiven.size()
@@ -106,8 +107,9 @@ void Foam::coupling::momentumExchange::findImpulses()
         }
         else
         {
-            response_[b] = theta_*m*k*dt;
-            J_[b] += m*k*dt*slip;
+            const scalar K = m/forces_.massShare(b)*k;
+            response_[b] = theta_*K*dt;
+            J_[b] += K*dt*slip;
         }
     }
 }
@@ -118,7 +120,7 @@ Foam::vector Foam::coupling::momentumExchange::impulse(const label b) const
     const dem::bodies& state = dem_.state();
     return
         J_[b]
-      + (dem_.moves() ? state.mass[b]*(state.v[b] - v_[b]) : rest_[b]);
+      + (responds() ? state.mass[b]*(state.v[b] - v_[b]) : rest_[b]);
 }
 
 
@@ -179,13 +181,15 @@ Foam::coupling::momentumExchange::momentumExchange
     const fluidDensity& rho,
     exchangedForces& forces,
     const dictionary& dict,
-    const bool averaged
+    const bool averaged,
+    const bool feels
 )
 :
     mesh_(mesh),
     dem_(dem),
     rho_(rho),
     forces_(forces),
+    feels_(feels),
     spread_
     (
         voidFraction::New
@@ -239,7 +243,7 @@ Foam::coupling::momentumExchange::momentumExchange
         << " in the fluid, equations "
         << (averaged ? set : word("without a void fraction")) << endl;
 
-    dem_.state().recordDrag = true;
+    dem_.state().recordDrag = feels_;
 
     if (forces_.followsExchange() && spread_->spreadTime() < 0)
     {
@@ -322,7 +326,7 @@ void Foam::coupling::momentumExchange::finish(const volVectorField& U)
     ballCells_.average(seen, state.size());
     forAll(seen, b)
     {
-        if (dem_.moves())
+        if (responds())
         {
             state.v[b] = v_[b] + response_[b]/state.mass[b]*seen[b];
         }

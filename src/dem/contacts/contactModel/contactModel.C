@@ -99,6 +99,7 @@ sweepLaws numbered(const contactLaws& laws)
     n.bridges = laws.coheres("capillary");
     n.vanDerWaals = laws.coheres("vanDerWaals");
     n.charges = laws.coheres("electrostatic");
+    n.film = laws.film;
     n.shares = laws.multiContact == "share";
     return n;
 }

@@ -251,12 +251,15 @@ Foam::scalar Foam::dem::hadesSolver::nextStep
 namespace
 {
 
-Foam::dem::contactLaws readLaws(const Foam::dictionary& dict)
+Foam::dem::contactLaws readLaws(const Foam::dem::demInput& input)
 {
-    return
-        dict.found("contact")
-      ? Foam::dem::contactLaws(dict.subDict("contact"))
-      : Foam::dem::contactLaws();
+    Foam::dem::contactLaws laws;
+    if (input.dict.found("contact"))
+    {
+        laws = Foam::dem::contactLaws(input.dict.subDict("contact"));
+    }
+    laws.film = input.film;
+    return laws;
 }
 
 } // End anonymous namespace
@@ -267,10 +270,10 @@ Foam::dem::hadesSolver::hadesSolver(const demInput& input)
     demSolver
     (
         input,
-        &static_cast<const contactLaws&>(readLaws(input.dict)),
+        &static_cast<const contactLaws&>(readLaws(input)),
         canShare(input)
     ),
-    contacts_(readLaws(input.dict), materials_),
+    contacts_(readLaws(input), materials_),
     list_
     (
         input.dict.found("neighbours")

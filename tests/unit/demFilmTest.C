@@ -1,0 +1,241 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+Description
+    The film of liquid between surfaces that are near, against closed forms.
+
+\*---------------------------------------------------------------------------*/
+
+#include "demCase.H"
+
+#include <cmath>
+
+using namespace styxTest;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+const scalar r = 0.001;
+const scalar mass = 2000*4.0/3.0*M_PI*r*r*r;
+const scalar mu = 0.1;
+
+std::string body
+(
+    const std::string& name,
+    const std::string& shape,
+    const vector& x,
+    const vector& v
+)
+{
+    return
+        "    " + name + " { shape " + shape + "; material rock; position "
+      + text(x) + "; velocity " + text(v) + "; }\n";
+}
+
+//- Balls of 2 and 6 mm in a liquid, and the floor z = 0 of a kind, if any
+std::string balls(const std::string& bodies, const std::string& floor)
+{
+    return
+        "demSolver hades;\ncontact { tangential none; damping none; }\n"
+        "materials\n{\n    rock { density 2000; youngsModulus 1e7;"
+        " poissonsRatio 0.3; }\n"
+        "    board { youngsModulus 1e7; poissonsRatio 0.3; }\n}\n"
+        "pairs { rock-rock { } rock-board { } }\n"
+        "shapes { ball { type sphere; diameter 0.002; }"
+        " large { type sphere; diameter 0.006; } }\n"
+        "stepControl { type hades; }\n"
+        "bodies\n{\n" + bodies + "}\n"
+      + (floor.empty() ? floor : "walls { " + floor + " }\n");
+}
+
+const std::string plane
+(
+    "board { type plane; point (0 0 0); normal (0 0 1); material board; }"
+);
+
+void liquid(Foam::dem::demInput& input)
+{
+    input.film.viscosity = mu;
+    input.film.roughness = 1e-5;
+    input.film.range = 1;
+}
+
+const Foam::List<Foam::dem::corners> none;
+
+//- The integral of 1/l - 1/l1 between two gaps, where there is film
+scalar narrowed(const scalar from, const scalar to, const scalar l1)
+{
+    const scalar start = std::min(from, l1), l = std::min(to, l1);
+    return std::log(start/l) - (start - l)/l1;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(demFilm, wall)
+{
+    // Thrown at the floor: m dv = -beta (1/l - 1/l1) dl
+    const scalar beta = 6*M_PI*mu*r*r, v0 = 0.5;
+    demCase c
+    (
+        balls(body("a", "ball", {0, 0, 2.5*r}, {0, 0, -v0}), plane),
+        Foam::Zero, none, liquid
+    );
+    scalar worst = 0, l = r;
+    while (l > 0.05*r)
+    {
+        c.run(1e-5);
+        l = c.state().x[0].z() - r;
+        const scalar v = v0 - beta/mass*narrowed(1.5*r, l, r);
+        worst = std::max(worst, std::abs(-c.state().v[0].z() - v));
+    }
+    figure
+    (
+        "film_wall", worst/v0, 0, 0.01, "-",
+        "closed form, a ball thrown at a plane"
+    );
+
+    // And pulled off it, it is held back as much as it was pushed
+    demCase d
+    (
+        balls(body("a", "ball", {0, 0, 1.05*r}, {0, 0, v0}), plane),
+        Foam::Zero, none, liquid
+    );
+    d.run(0.02);
+    figureNear
+    (
+        "film_parts", v0 - d.state().v[0].z(),
+        beta/mass*narrowed(r, 0.05*r, r), 0.01, "m/s",
+        "closed form, a ball that leaves a plane"
+    );
+}
+
+
+TEST(demFilm, settles)
+{
+    // Its weight squeezes the film: beta (1/l - 1/l1) dl/dt = -W
+    const scalar beta = 6*M_PI*mu*r*r, W = 0.02*mass*9.81;
+    demCase c
+    (
+        balls(body("a", "ball", {0, 0, 1.2*r}, {0, 0, 0}), plane),
+        0.02*gravity, none, liquid
+    );
+    const scalar t = beta/W*narrowed(0.2*r, 0.03*r, r);
+    for (int n = 0; n < 200; ++n)
+    {
+        c.run(t/200);
+    }
+    figureNear
+    (
+        "film_settles", c.state().x[0].z() - r, 0.03*r, 0.01, "m",
+        "closed form, weight against the film"
+    );
+}
+
+
+TEST(demFilm, pair)
+{
+    // A small ball meets a large one that is free, aside of the axes
+    const vector n = Foam::normalised(vector(1, 2, -2));
+    const scalar rStar = 3*r*r/(4*r), mStar = mass*27/28;
+    const scalar beta = 6*M_PI*mu*rStar*rStar, v0 = 0.2;
+    demCase c
+    (
+        balls
+        (
+            body("a", "large", -3*r*n, {0, 0, 0})
+          + body("b", "ball", (r + 1.1*rStar)*n, -v0*n),
+            ""
+        ),
+        Foam::Zero, none, liquid
+    );
+    scalar l = r;
+    while (l > 0.1*rStar)
+    {
+        c.run(1e-5);
+        l = mag(c.state().x[1] - c.state().x[0]) - 4*r;
+    }
+    const vector u = c.state().v[1] - c.state().v[0];
+    figureNear
+    (
+        "film_pair", v0 + (u & n),
+        beta/mStar*narrowed(rStar, l, rStar), 0.01, "m/s",
+        "closed form, balls of 2 and 6 mm"
+    );
+    figure
+    (
+        "film_momentum",
+        mag(27*c.state().v[0] + c.state().v[1] + v0*n)/v0, 0, 1e-14, "-",
+        "what one gets the other loses"
+    );
+    figure("film_normal", mag(u - (u & n)*n)/v0, 0, 1e-12, "-",
+           "nothing across the line of the centres");
+}
+
+
+TEST(demFilm, rough)
+{
+    // Within the roughness, and beyond the range, there is no film
+    demCase c
+    (
+        balls
+        (
+            body("a", "ball", {0, 0, r + 9e-6}, {0, 0, -1e-3})
+          + body("b", "ball", {5*r, 0, 2.5*r}, {0, 0, -1e-3}),
+            plane
+        ),
+        Foam::Zero, none, liquid
+    );
+    c.run(8e-3);
+    figure
+    (
+        "film_rough", mag(c.state().v[0] + vector(0, 0, 1e-3))/1e-3, 0, 0,
+        "-", "no force in gaps below the roughness"
+    );
+    figure
+    (
+        "film_range", mag(c.state().v[1] + vector(0, 0, 1e-3))/1e-3, 0, 0,
+        "-", "nor in those above the range"
+    );
+}
+
+
+TEST(demFilm, movingWall)
+{
+    // The floor comes up at a ball at rest: as the ball thrown at the floor
+    const scalar beta = 6*M_PI*mu*r*r, v0 = 0.5;
+    demCase c
+    (
+        balls
+        (
+            body("a", "ball", {0, 0, 2.5*r}, {0, 0, 0}),
+            "board { type plane; point (0 0 0); normal (0 0 1);"
+            " material board; motion { type translate; velocity (0 0 0.5); } }"
+        ),
+        Foam::Zero, none, liquid
+    );
+    scalar l = r;
+    while (l > 0.1*r)
+    {
+        c.run(1e-5);
+        l = c.state().x[0].z() - v0*c.time() - r;
+    }
+    figureNear
+    (
+        "film_movingWall", c.state().v[0].z(),
+        beta/mass*narrowed(1.5*r, l, r), 0.01, "m/s",
+        "closed form, a plane that comes at a ball"
+    );
+}
+
+
+// ************************************************************************* //
