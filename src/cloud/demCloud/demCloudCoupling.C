@@ -60,9 +60,9 @@ void Foam::demCloud::checkCoupling(const fluidAccess access) const
         refuse
         (
             "forces",
-            "does not go with coupling " + coupling_ + " and immersed: bodies are either"
-            " points to the fluid (forces, voidFraction) or fill its cells"
-            " (immersed); take one of them out"
+            "does not go with coupling " + coupling_ + " and immersed: bodies"
+            " are either points to the fluid (forces, voidFraction) or fill its"
+            " cells (immersed); take one of them out"
         );
     }
     const bool points = pointBodies();
