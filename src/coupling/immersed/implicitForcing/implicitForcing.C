@@ -37,8 +37,15 @@ void Foam::coupling::implicitForcing::addCells
             {
                 const vector r = mesh_.C()[c] - centre;
                 const vector Ub = state.v[b] + (state.omega[b] ^ r);
-                cells.append(bodyCell{c, beta, Ub, r});
-                cells.last().rho = rho_[c];
+                bodyCell bc{c, beta, Ub, r};
+                bc.rho = rho_[c];
+                if (beta < 1)
+                {
+                    const vector n = body.fromNearestCentre(mesh_.C()[c]);
+                    bc.phi = body.distance(mesh_.C()[c]);
+                    bc.n = n/max(mag(n), VSMALL);
+                }
+                cells.append(bc);
             }
         }
     );
@@ -60,115 +67,6 @@ void Foam::coupling::implicitForcing::findCells(const label b)
             addCells(b, dem_.period().shift(image));
         }
     );
-}
-
-
-bool Foam::coupling::implicitForcing::across
-(
-    const label face,
-    const label cell,
-    point& centre
-) const
-{
-    if (mesh_.isInternalFace(face))
-    {
-        const label o = mesh_.faceOwner()[face];
-        centre = mesh_.C()[o == cell ? mesh_.faceNeighbour()[face] : o];
-        return true;
-    }
-
-    const label p = mesh_.boundaryMesh().whichPatch(face);
-    if (delta_[p].empty())
-    {
-        return false;
-    }
-    centre = mesh_.C()[cell] + delta_[p][face - mesh_.boundary()[p].start()];
-    return true;
-}
-
-
-const Foam::vector& Foam::coupling::implicitForcing::acrossU
-(
-    const label face,
-    const label cell,
-    const volVectorField& U,
-    const List<vectorField>& otherU
-) const
-{
-    if (mesh_.isInternalFace(face))
-    {
-        const label o = mesh_.faceOwner()[face];
-        return U[o == cell ? mesh_.faceNeighbour()[face] : o];
-    }
-    const label p = mesh_.boundaryMesh().whichPatch(face);
-    return otherU[p][face - mesh_.boundary()[p].start()];
-}
-
-
-Foam::List<Foam::vectorField> Foam::coupling::implicitForcing::otherSide
-(
-    const volVectorField& U
-) const
-{
-    List<vectorField> other(mesh_.boundary().size());
-    forAll(other, p)
-    {
-        if (mesh_.boundary()[p].coupled())
-        {
-            other[p] = U.boundaryField()[p].patchNeighbourField();
-        }
-    }
-    return other;
-}
-
-
-void Foam::coupling::implicitForcing::findLinks(const label b)
-{
-    const bodyGeometry body(dem_.state(), b, solved_);
-
-    for (bodyCell& bc : cells_[b])
-    {
-        bc.link = links_.size();
-        if (bc.beta >= 1)
-        {
-            continue;
-        }
-
-        // Where the cell is as seen from the body itself, not from an image
-        const point& centre = mesh_.C()[bc.cell];
-        const point p = dem_.state().x[b] + bc.r;
-        const scalar phi = body.distance(p);
-        const vector r = body.fromNearestCentre(p);
-        const vector n = r/max(mag(r), VSMALL);
-        scalar weights = 0;
-        bc.n = n;
-
-        for (const label f : mesh_.cells()[bc.cell])
-        {
-            point other;
-            if (!across(f, bc.cell, other))
-            {
-                continue;
-            }
-
-            const vector d = body.inPlane(other - centre);
-            const scalar cosine = (d & n)/max(mag(d), VSMALL);
-            const scalar phif = body.distance(p + (other - centre));
-            if (cosine > 0.1 && phif > 0.1*mag(d))
-            {
-                const scalar slope =
-                    max(min(phi/phif, scalar(1)), scalar(-1));
-                links_.append(profileLink{f, sqr(cosine)*slope});
-                weights += sqr(cosine);
-            }
-        }
-
-        bc.nLinks = links_.size() - bc.link;
-        for (label k = 0; k < bc.nLinks; ++k)
-        {
-            links_[bc.link + k].share /= weights;
-        }
-    }
 }
 
 
@@ -261,12 +159,13 @@ void Foam::coupling::implicitForcing::project(const volVectorField& U)
     {
         imposed_[b] = imposedMotion{state.v[b], state.omega[b]};
         findCells(b);
-        findLinks(b);
         for (const bodyCell& bc : cells_[b])
         {
             volume[b] += bc.beta*mesh_.V()[bc.cell];
         }
     }
+
+    findFriction();
 
     dem::sumOverRanks(volume);
     volumeError_ = 0;
@@ -281,42 +180,6 @@ void Foam::coupling::implicitForcing::project(const volVectorField& U)
 
     startImposed(U);
     open_ = true;
-}
-
-
-void Foam::coupling::implicitForcing::setCut
-(
-    const label b,
-    bodyCell& bc,
-    const volVectorField& U,
-    const List<vectorField>& otherU,
-    const scalarField& nu
-) const
-{
-    const scalar dt = mesh_.time().deltaTValue();
-    const scalar V = mesh_.V()[bc.cell];
-    const scalar h2 = thickness_ > 0 ? V/thickness_ : sqr(cbrt(V));
-    const scalar ratio = bc.beta/max(1 - bc.beta, SMALL);
-
-    // The profile, at the rate of viscosity
-    vector profile = bc.Ub;
-    for (label k = bc.link; k < bc.link + bc.nLinks; ++k)
-    {
-        const profileLink& l = links_[k];
-        profile +=
-            l.share*(acrossU(l.face, bc.cell, U, otherU) - bc.Ub);
-    }
-    const scalar Kv = ratio*min(viscousRate_*nu[bc.cell]/h2, 4/dt);
-
-    // The mixture: tight across the surface, free along it
-    const imposedMotion& old = imposed0_[dem_.state().id[b]];
-    const vector along =
-        U.oldTime()[bc.cell] + bc.Ub - old.v - (old.omega ^ bc.r);
-    const vector mixture = along + ((bc.Ub - along) & bc.n)*bc.n;
-    const scalar Ki = ratio/dt;
-
-    bc.target = (Kv*profile + Ki*mixture)/max(Kv + Ki, VSMALL);
-    bc.K = min(Kv + Ki, kappa_/dt);
 }
 
 
@@ -345,10 +208,10 @@ void Foam::coupling::implicitForcing::addTo(fvMatrix<vector>& eqn)
                 bc.K = kappa_/mesh_.time().deltaTValue();
             }
             bc.rho = rho_[bc.cell];
-            const scalar KV =
-                bc.K*mesh_.V()[bc.cell]*(rho_.isField() ? bc.rho : 1);
+            const scalar V = mesh_.V()[bc.cell]*(rho_.isField() ? bc.rho : 1);
+            const scalar KV = bc.K*V;
             diagonal_[bc.cell] += KV;
-            source_[bc.cell] += KV*bc.target;
+            source_[bc.cell] += KV*bc.target + V*bc.push;
         }
     }
 
@@ -372,7 +235,8 @@ void Foam::coupling::implicitForcing::sumForces(const volVectorField& U)
         for (const bodyCell& bc : cells_[b])
         {
             const vector f =
-                (bc.rho*bc.K*mesh_.V()[bc.cell])*(U[bc.cell] - bc.target);
+                (bc.rho*mesh_.V()[bc.cell])
+               *(bc.K*(U[bc.cell] - bc.target) - bc.push);
             F += f;
             T += bc.r ^ f;
         }

@@ -1,0 +1,269 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "implicitForcing.H"
+#include "rankSum.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool Foam::coupling::implicitForcing::across
+(
+    const label face,
+    const label cell,
+    vector& d
+) const
+{
+    if (mesh_.isInternalFace(face))
+    {
+        const label o = mesh_.faceOwner()[face];
+        const label other = o == cell ? mesh_.faceNeighbour()[face] : o;
+        d = mesh_.C()[other] - mesh_.C()[cell];
+        return true;
+    }
+
+    const label p = mesh_.boundaryMesh().whichPatch(face);
+    if (delta_[p].empty())
+    {
+        return false;
+    }
+    d = delta_[p][face - mesh_.boundary()[p].start()];
+    return true;
+}
+
+
+Foam::scalar Foam::coupling::implicitForcing::conductance
+(
+    const label face
+) const
+{
+    if (mesh_.isInternalFace(face))
+    {
+        return mesh_.magSf()[face]*mesh_.nonOrthDeltaCoeffs()[face];
+    }
+    const label p = mesh_.boundaryMesh().whichPatch(face);
+    const label k = face - mesh_.boundary()[p].start();
+    return
+        mesh_.magSf().boundaryField()[p][k]
+       *mesh_.nonOrthDeltaCoeffs().boundaryField()[p][k];
+}
+
+
+const Foam::vector& Foam::coupling::implicitForcing::acrossU
+(
+    const label face,
+    const label cell,
+    const volVectorField& U,
+    const List<vectorField>& otherU
+) const
+{
+    if (mesh_.isInternalFace(face))
+    {
+        const label o = mesh_.faceOwner()[face];
+        return U[o == cell ? mesh_.faceNeighbour()[face] : o];
+    }
+    const label p = mesh_.boundaryMesh().whichPatch(face);
+    return otherU[p][face - mesh_.boundary()[p].start()];
+}
+
+
+Foam::List<Foam::vectorField> Foam::coupling::implicitForcing::otherSide
+(
+    const volVectorField& U
+) const
+{
+    List<vectorField> other(mesh_.boundary().size());
+    forAll(other, p)
+    {
+        if (mesh_.boundary()[p].coupled())
+        {
+            other[p] = U.boundaryField()[p].patchNeighbourField();
+        }
+    }
+    return other;
+}
+
+
+void Foam::coupling::implicitForcing::findLinks
+(
+    const label b,
+    const bodyGeometry& body,
+    const vector& shift,
+    bodyCell& bc
+)
+{
+    const dem::bodies& state = dem_.state();
+    bc.link = links_.size();
+
+    for (const label f : mesh_.cells()[bc.cell])
+    {
+        vector d;
+        if (!across(f, bc.cell, d))
+        {
+            continue;
+        }
+        const scalar inside = body.distance(mesh_.C()[bc.cell] + d);
+        if (inside >= 0)
+        {
+            continue;
+        }
+
+        // How far the surface is on the way to the centre inside. Where it is
+        // next to nothing the cell has the body's velocity
+        const scalar theta = max(bc.phi/(bc.phi - inside), 1e-6);
+        const scalar g = conductance(f)/mesh_.V()[bc.cell];
+        bc.friction += g*(1/theta - 1);
+        links_.append
+        (
+            wallLink{f, g, state.v[b] + (state.omega[b] ^ (bc.r + d))}
+        );
+    }
+    bc.nLinks = links_.size() - bc.link;
+}
+
+
+void Foam::coupling::implicitForcing::addNeighbours
+(
+    const label b,
+    const vector& shift,
+    const scalar reach
+)
+{
+    const dem::bodies& state = dem_.state();
+    const bodyGeometry body(state, b, solved_, shift);
+    const point centre = state.x[b] + shift;
+
+    // Those of this image are there already
+    const label stamp = ++stamp_;
+    for (const bodyCell& bc : cells_[b])
+    {
+        if (mag(mesh_.C()[bc.cell] - bc.r - centre) < 1e-3*reach)
+        {
+            found_[bc.cell] = stamp;
+        }
+    }
+
+    bins_.forEach
+    (
+        centre,
+        state.shapeOf(b).boundingRadius() + reach,
+        [&](const label c)
+        {
+            if (found_[c] == stamp)
+            {
+                return;
+            }
+            bodyCell bc{c, 0, Zero, mesh_.C()[c] - centre};
+            bc.phi = body.distance(mesh_.C()[c]);
+            if (bc.phi > reach + bins_.radius(c))
+            {
+                return;
+            }
+            bc.Ub = state.v[b] + (state.omega[b] ^ bc.r);
+            bc.rho = rho_[c];
+            findLinks(b, body, shift, bc);
+            if (bc.nLinks)
+            {
+                cells_[b].append(bc);
+            }
+        }
+    );
+}
+
+
+void Foam::coupling::implicitForcing::findFriction()
+{
+    const dem::bodies& state = dem_.state();
+
+    // A cell beside one whose centre is inside is no farther from it than
+    // that one reaches, on whichever rank it is
+    List<scalar> reach(cells_.size(), scalar(0));
+    forAll(cells_, b)
+    {
+        for (const bodyCell& bc : cells_[b])
+        {
+            if (bc.beta >= 1 || bc.phi < 0)
+            {
+                reach[b] = max(reach[b], bins_.radius(bc.cell));
+            }
+        }
+    }
+    dem::maxOverRanks(reach);
+
+    links_.clear();
+    found_.setSize(mesh_.nCells());
+    found_ = 0;
+    stamp_ = 0;
+    forAll(cells_, b)
+    {
+        for (bodyCell& bc : cells_[b])
+        {
+            if (bc.beta < 1 && bc.phi >= 0)
+            {
+                const vector shift = mesh_.C()[bc.cell] - bc.r - state.x[b];
+                const bodyGeometry body(state, b, solved_, shift);
+                findLinks(b, body, shift, bc);
+            }
+        }
+        addNeighbours(b, Zero, reach[b]);
+        dem_.period().forEachImage
+        (
+            state.x[b],
+            state.shapeOf(b).boundingRadius() + 2*reach[b],
+            [&](const label image)
+            {
+                addNeighbours(b, dem_.period().shift(image), reach[b]);
+            }
+        );
+    }
+}
+
+
+void Foam::coupling::implicitForcing::setCut
+(
+    const label b,
+    bodyCell& bc,
+    const volVectorField& U,
+    const List<vectorField>& otherU,
+    const scalarField& nu
+) const
+{
+    const scalar dt = mesh_.time().deltaTValue();
+    const scalar V = mesh_.V()[bc.cell];
+    const scalar ratio = bc.beta/max(1 - bc.beta, SMALL);
+
+    // The friction of the wall in place of that against the cells inside,
+    // which may slip
+    scalar Kv = nu[bc.cell]*bc.friction;
+    bc.push = Zero;
+    if (bc.phi < 0)
+    {
+        const scalar h2 = thickness_ > 0 ? V/thickness_ : sqr(cbrt(V));
+        Kv = ratio*viscousRate_*nu[bc.cell]/h2;
+    }
+    for (label k = bc.link; k < bc.link + bc.nLinks; ++k)
+    {
+        const wallLink& l = links_[k];
+        bc.push +=
+            (nu[bc.cell]*l.g)*(l.Ub - acrossU(l.face, bc.cell, U, otherU));
+    }
+
+    // The mixture: tight across the surface, free along it
+    const imposedMotion& old = imposed0_[dem_.state().id[b]];
+    const vector along =
+        U.oldTime()[bc.cell] + bc.Ub - old.v - (old.omega ^ bc.r);
+    const vector mixture = along + ((bc.Ub - along) & bc.n)*bc.n;
+    const scalar Ki = ratio/dt;
+
+    bc.target = (Kv*bc.Ub + Ki*mixture)/max(Kv + Ki, VSMALL);
+    bc.K = min(Kv + Ki, kappa_/dt);
+}
+
+
+// ************************************************************************* //
