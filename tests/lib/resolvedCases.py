@@ -111,3 +111,20 @@ def meanVelocity(log):
     with open(log) as text:
         return float(re.findall(r"volAverage.* of U = \((\S+)", text.read())
                      [-1])
+
+
+def writeBox(file, edges, centre=(0, 0, 0)):
+    """A box as an STL surface, two triangles a side."""
+    corner = [[centre[d] + edges[d]*((k >> d & 1) - 0.5) for d in range(3)]
+              for k in range(8)]
+    sides = ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4),
+             (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5))
+    with open(file, "w") as out:
+        out.write("solid box\n")
+        for a, b, c, d in sides:
+            for triangle in ((a, b, c), (a, c, d)):
+                out.write("facet normal 0 0 0\nouter loop\n")
+                for k in triangle:
+                    out.write("vertex %.10g %.10g %.10g\n" % tuple(corner[k]))
+                out.write("endloop\nendfacet\n")
+        out.write("endsolid box\n")

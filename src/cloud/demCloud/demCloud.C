@@ -401,6 +401,16 @@ void Foam::demCloud::endStep()
 
     if (immersed_.valid())
     {
+        if (forces_.valid())
+        {
+            const ledger::entry e(ledger_, "output");
+            forces_->write
+            (
+                mesh_.time().value(),
+                dem_->state(),
+                *immersed_
+            );
+        }
         immersed_->finish();
     }
     if (points_.valid())

@@ -167,6 +167,42 @@ Foam::dem::demInput Foam::demCloud::solverInput(const fluidAccess access)
 }
 
 
+void Foam::demCloud::readOutput()
+{
+    if (!dict_.found("output"))
+    {
+        return;
+    }
+    const dictionary& output = dict_.subDict("output");
+    dem::checkKeys(output, {"vtp", "contactNetwork", "forces"});
+    vtp_ = output.getOrDefault<bool>("vtp", false);
+    network_ = output.getOrDefault<bool>("contactNetwork", false);
+    if (!output.getOrDefault<bool>("forces", false))
+    {
+        return;
+    }
+    if (!immersed_.valid())
+    {
+        dem::badEntry
+        (
+            output,
+            "forces",
+            "writes the forces on resolved bodies, which need the block"
+            " immersed; those on points are in lagrangian/demCloud"
+        );
+    }
+    const Time& time = mesh_.time();
+    forces_.reset
+    (
+        new forceTable
+        (
+            time.rootPath()/time.globalCaseName()/"postProcessing/demCloud"
+           /time.timeName()
+        )
+    );
+}
+
+
 void Foam::demCloud::checkSize
 (
     const dem::shape& s,
@@ -182,6 +218,31 @@ void Foam::demCloud::checkSize
             << domain << " m." << nl
             << "    Is the shape given in other units than the mesh?"
             << exit(FatalIOError);
+    }
+    if (!s.surface() || mesh_.nSolutionD() > 2)
+    {
+        return;
+    }
+
+    // The fluid sees the section in the middle: the ends must be far
+    const pointField& own = s.surface()->surface().surface().localPoints();
+    const vector span = boundBox((own & s.toUser().T()), false).span();
+    scalar along = 0, across = 0;
+    for (direction d = 0; d < 3; ++d)
+    {
+        scalar& extent = mesh_.solutionD()[d] > 0 ? across : along;
+        extent = max(extent, span[d]);
+    }
+    if (along < across)
+    {
+        dem::badEntry
+        (
+            dict,
+            "surface",
+            "is a prism of length " + Foam::name(along) + " m in the"
+            " direction that the mesh does not solve for, and as wide as "
+          + Foam::name(across) + " m: make it as long as it is wide, or longer"
+        );
     }
 }
 
@@ -290,14 +351,6 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const fluidAccess access)
     {
         coupling_ = "none";
     }
-    if (dict_.found("output"))
-    {
-        const dictionary& output = dict_.subDict("output");
-        dem::checkKeys(output, {"vtp", "contactNetwork"});
-        vtp_ = output.getOrDefault<bool>("vtp", false);
-        network_ = output.getOrDefault<bool>("contactNetwork", false);
-    }
-
     chooseContacts(access);
     const dem::demInput input(solverInput(access));
     dem_ = dem::demSolver::New(input);
@@ -319,6 +372,7 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const fluidAccess access)
         )
     );
     readCoupling(access);
+    readOutput();
 
     const bool goesOn =
         input.restart

@@ -137,10 +137,10 @@ void Foam::coupling::refinementInterface::mark
         const dem::shape& s = state.shapeOf(b);
         const scalar motion =
             ahead
-           *(mag(state.v[b]) + mag(state.omega[b])*s.boundingRadius());
+           *(mag(state.v[b]) + mag(state.omega[b])*s.fluidRadius());
         const scalar inner = layer_*s.equivalentDiameter() + motion;
         const scalar outer = 1.5*inner;
-        const scalar reach = s.boundingRadius() + outer;
+        const scalar reach = s.fluidRadius() + outer;
 
         // A body, or an image of it beyond a seam
         const auto markAround = [&](const vector& shift)

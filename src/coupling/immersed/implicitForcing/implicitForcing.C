@@ -29,7 +29,7 @@ void Foam::coupling::implicitForcing::addCells
     bins_.forEach
     (
         centre,
-        state.shapeOf(b).boundingRadius(),
+        state.shapeOf(b).fluidRadius(),
         [&](const label c)
         {
             const scalar beta = fraction_(body, c, bins_.radius(c));
@@ -41,9 +41,8 @@ void Foam::coupling::implicitForcing::addCells
                 bc.rho = rho_[c];
                 if (beta < 1)
                 {
-                    const vector n = body.fromNearestCentre(mesh_.C()[c]);
                     bc.phi = body.distance(mesh_.C()[c]);
-                    bc.n = n/max(mag(n), VSMALL);
+                    bc.n = body.normal(mesh_.C()[c]);
                 }
                 cells.append(bc);
             }
@@ -61,7 +60,7 @@ void Foam::coupling::implicitForcing::findCells(const label b)
     dem_.period().forEachImage
     (
         state.x[b],
-        state.shapeOf(b).boundingRadius(),
+        state.shapeOf(b).fluidRadius(),
         [&](const label image)
         {
             addCells(b, dem_.period().shift(image));
@@ -173,7 +172,7 @@ void Foam::coupling::implicitForcing::project(const volVectorField& U)
     {
         forAll(volume, b)
         {
-            const scalar exact = state.shapeOf(b).unionVolume();
+            const scalar exact = state.shapeOf(b).fluidVolume();
             volumeError_ = max(volumeError_, mag(volume[b]/exact - 1));
         }
     }

@@ -152,7 +152,7 @@ void Foam::coupling::implicitForcing::addNeighbours
     bins_.forEach
     (
         centre,
-        state.shapeOf(b).boundingRadius() + reach,
+        state.shapeOf(b).fluidRadius() + reach,
         [&](const label c)
         {
             if (found_[c] == stamp)
@@ -215,7 +215,7 @@ void Foam::coupling::implicitForcing::findFriction()
         dem_.period().forEachImage
         (
             state.x[b],
-            state.shapeOf(b).boundingRadius() + 2*reach[b],
+            state.shapeOf(b).fluidRadius() + 2*reach[b],
             [&](const label image)
             {
                 addNeighbours(b, dem_.period().shift(image), reach[b]);

@@ -77,9 +77,9 @@ void Foam::coupling::implicitForcing::findDisplaced()
             displaced_[b] =
                 displacedFluid
                 {
-                    rho*s.unionVolume(),
+                    rho*s.fluidVolume(),
                     rho*s.volume(),
-                    rho*s.unionVolume(),
+                    rho*s.fluidVolume(),
                     Zero
                 };
         }
@@ -112,7 +112,7 @@ void Foam::coupling::implicitForcing::findDisplaced()
             {
                 mass[b],
                 mass[b],
-                densest[b]*state.shapeOf(b).unionVolume(),
+                densest[b]*state.shapeOf(b).fluidVolume(),
                 moment[b]
             };
     }
@@ -205,6 +205,8 @@ void Foam::coupling::implicitForcing::move(const label b)
     newTorque_[b] =
         (L - L0_[b] - JL)/dt + (B & (inverseB & JL))/dt;
 
+    contactForce_[b] = J/dt;
+    contactTorque_[b] = JL/dt;
     state.v[b] = v;
     state.L[b] = L;
     state.omega[b] = state.omegaFrom(b, L);
@@ -235,7 +237,7 @@ Foam::vector Foam::coupling::implicitForcing::startForce
         }
         reduce(mf, sumOp<scalar>());
         reduce(around, maxOp<scalar>());
-        around *= state.shapeOf(b).unionVolume();
+        around *= state.shapeOf(b).fluidVolume();
     }
     else
     {
@@ -266,6 +268,8 @@ void Foam::coupling::implicitForcing::correctMotion()
     findDisplaced();
     newForce_.setSize(state.size());
     newTorque_.setSize(state.size());
+    contactForce_.setSize(state.size());
+    contactTorque_.setSize(state.size());
 
     slip_ = 0;
     forAll(cells_, b)
@@ -273,6 +277,32 @@ void Foam::coupling::implicitForcing::correctMotion()
         move(b);
         slip_ = max(slip_, mag(state.v[b] - imposed_[b].v));
     }
+}
+
+
+Foam::vector Foam::coupling::implicitForcing::fluidForce(const label b) const
+{
+    if (contactForce_.empty())
+    {
+        return force_[b];
+    }
+    const dem::bodies& state = dem_.state();
+    return
+        state.mass[b]
+       *((state.v[b] - v0_[b])/mesh_.time().deltaTValue() - dem_.g())
+      - contactForce_[b];
+}
+
+
+Foam::vector Foam::coupling::implicitForcing::fluidTorque(const label b) const
+{
+    if (contactTorque_.empty())
+    {
+        return torque_[b];
+    }
+    return
+        (dem_.state().L[b] - L0_[b])/mesh_.time().deltaTValue()
+      - contactTorque_[b];
 }
 
 

@@ -11,7 +11,6 @@ License
 #include "volumeFraction.H"
 
 #include <algorithm>
-#include <cmath>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -27,7 +26,7 @@ Foam::scalar Foam::coupling::volumeFraction::volume(const tet& t)
 
 bool Foam::coupling::volumeFraction::creased(const tet& t)
 {
-    if (oneSphere(t))
+    if (onePart(t))
     {
         return false;
     }
@@ -71,13 +70,11 @@ Foam::label Foam::coupling::volumeFraction::side
     const scalar high =
         max(max(t[0].phi, t[1].phi), max(t[2].phi, t[3].phi));
 
-    // The distance to a ball is a convex function. Its curvature is 1/rho at
-    // most, so between the corners it is lower by 3/16 edge^2/rho at most
-    if (low > 0.1875*edge2/body.minRadius())
+    if (body.outside(low, edge2))
     {
         return 1;
     }
-    if (high <= 0 && (oneSphere(t) || sqr(low) > edge2))
+    if (body.inside(low, high, edge2, onePart(t)))
     {
         return -1;
     }
@@ -93,14 +90,14 @@ void Foam::coupling::volumeFraction::addLinear
     cutTets& cut
 )
 {
-    label ball = t[0].ball;
-    if (!oneSphere(t))
+    label part = t[0].part;
+    if (!onePart(t))
     {
         scalar phi;
-        ball = body.nearest(0.25*(t[0].x + t[1].x + t[2].x + t[3].x), phi);
+        part = body.nearest(0.25*(t[0].x + t[1].x + t[2].x + t[3].x), phi);
     }
 
-    const label k = cut.append(body.centre(ball), V);
+    const label k = cut.append(body.centre(part), V);
     for (label c = 0; c < 4; ++c)
     {
         cut.setCorner(k, c, t[c].x, t[c].phi);
@@ -193,12 +190,8 @@ Foam::scalar Foam::coupling::volumeFraction::operator()
 
     const bodyGeometry body(whole.near(centre, radius));
 
-    // Spheres that are small beside the cell ask for smaller tetrahedra
-    const label refinements = max
-    (
-        refinements_,
-        min(label(std::ceil(std::log2(4*radius/body.minRadius()))), label(5))
-    );
+    // What is small beside the cell, or curved, asks for smaller tetrahedra
+    const label refinements = max(refinements_, body.refinements(radius));
 
     const pointField& points = mesh_.points();
     const corner atCentre(body, centre);

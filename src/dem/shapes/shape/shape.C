@@ -118,6 +118,7 @@ Foam::dem::shape Foam::dem::shape::scaled
     s.equivalentDiameter_ *= factor;
     s.unionVolume_ *= pow3(factor);
     s.inertiaPerDensity_ *= pow5(factor);
+    s.surfaceScale_ *= factor;
     return s;
 }
 

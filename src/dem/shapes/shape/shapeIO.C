@@ -268,7 +268,7 @@ Foam::dem::shape::shape
     }
 
     // The same entries stand here or in a file
-    keys.append("file");
+    keys.append(wordList({"file", "geometry", "surface", "surfaceScale"}));
     if (!dict.found("file"))
     {
         keys.append(bodyKeys);
@@ -282,7 +282,9 @@ Foam::dem::shape::shape
             << dict.name() << " has neither" << exit(FatalIOError);
     }
 
-    readMultisphere(dict.found("file") ? readFile(dict, dir) : dict);
+    const dictionary body(dict.found("file") ? readFile(dict, dir) : dict);
+    readMultisphere(body);
+    readSurface(dict, dir, body);
 }
 
 

@@ -1,0 +1,73 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "forceTable.H"
+#include "OSspecific.H"
+#include "Pstream.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::OFstream> Foam::forceTable::open
+(
+    const fileName& directory,
+    const word& quantity,
+    const word& unit
+)
+{
+    autoPtr<OFstream> table(new OFstream(directory/quantity + ".dat"));
+    table->precision(12);
+    *table
+        << "# " << quantity << " on each body [" << unit.c_str() << "]" << nl
+        << "# Time\tbody\tfluid_(x y z)\tcontact_(x y z)" << endl;
+    return table;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::forceTable::forceTable(const fileName& directory)
+{
+    if (Pstream::master())
+    {
+        mkDir(directory);
+        force_ = open(directory, "force", "N");
+        torque_ = open(directory, "torque", "Nm");
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::forceTable::write
+(
+    const scalar t,
+    const dem::bodies& state,
+    const coupling::implicitForcing& immersed
+)
+{
+    if (!Pstream::master())
+    {
+        return;
+    }
+    forAll(state.id, b)
+    {
+        *force_
+            << t << tab << state.id[b] << tab << immersed.fluidForce(b)
+            << tab << immersed.contactForce(b) << nl;
+        *torque_
+            << t << tab << state.id[b] << tab << immersed.fluidTorque(b)
+            << tab << immersed.contactTorque(b) << nl;
+    }
+    force_->flush();
+    torque_->flush();
+}
+
+
+// ************************************************************************* //

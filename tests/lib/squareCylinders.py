@@ -1,0 +1,42 @@
+#------------------------------------------------------------------------------
+#  Styx: rigid particles in OpenFOAM flows
+#  Copyright (C) 2026 The Styx founders
+#------------------------------------------------------------------------------
+# License
+#     This file is part of Styx, which is free software: GPL-3.0-or-later,
+#     without any warranty. See the file COPYING.
+#
+# Description
+#     Runs of the tutorial squareCylinder.
+#         table = compare(8, ["30"], ["fitted", "surface"])
+#             of each shape and Reynolds number the drag coefficient and the
+#             length of the recirculation over D
+#------------------------------------------------------------------------------
+import os
+import re
+import subprocess
+
+from cloudCase import copyCase, runIn
+
+
+def compare(cells, numbers, shapes):
+    case = copyCase(os.environ["STYX_DIR"]
+                    + "/tutorials/resolved/squareCylinder", "square")
+    for Re in numbers:
+        for shape in shapes:
+            folder = "square/runs/%s_%s" % (shape, Re)
+            subprocess.check_call(["./makeCase", shape, Re, str(cells),
+                                   "runs/%s_%s" % (shape, Re)], cwd="square")
+            runIn(folder, "blockMesh")
+            runIn(folder, "pimpleFoam")
+    out = subprocess.check_output(["./results"], cwd=case).decode()
+    print(out)
+
+    rows = out.splitlines()
+    names = rows[0].split()[1:1 + len(shapes)]
+    table = {}
+    for row in rows[1:]:
+        pairs = re.findall(r"(\S+) \( *([-0-9.]+)\)", row)
+        for name, (drag, wake) in zip(names, pairs):
+            table[name, float(row.split()[0])] = (float(drag), float(wake))
+    return table
