@@ -64,6 +64,32 @@ void Foam::averagedFluid::checkScheme(const word& name) const
 }
 
 
+void Foam::averagedFluid::forceCells()
+{
+    fvVectorMatrix forcing(U_, dimVelocity/dimTime*dimVolume);
+    cloud_.addImmersed(forcing);
+    *UEqn_ -= forcing;
+
+    // Any face of a cell that is filled in part
+    volScalarField filled
+    (
+        IOobject("filled", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar("0", dimless, 0),
+        zeroGradientFvPatchScalarField::typeName
+    );
+    forAll(filled, c)
+    {
+        filled[c] = forcing.diag()[c] < 0;
+    }
+    filled.correctBoundaryConditions();
+    forced_.reset
+    (
+        new surfaceScalarField("forced", pos(linearInterpolate(filled) - SMALL))
+    );
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::averagedFluid::averagedFluid(dynamicFvMesh& mesh)
@@ -176,7 +202,7 @@ void Foam::averagedFluid::predictMomentum()
         U_,
         dimVelocity/dimTime*dimVolume
     );
-    cloud_.addForcing(exchange);
+    cloud_.addExchange(exchange);
     resistance_.primitiveFieldRef() = -exchange.diag()/mesh_.V().field();
     resistance_.correctBoundaryConditions();
     push_.primitiveFieldRef() = -exchange.source()/mesh_.V().field();
@@ -198,6 +224,10 @@ void Foam::averagedFluid::predictMomentum()
             exchange
         )
     );
+    if (cloud_.fillsCells())
+    {
+        forceCells();
+    }
     UEqn_->relax();
 
     if (pimple_.momentumPredictor())
@@ -219,6 +249,12 @@ void Foam::averagedFluid::predictMomentum()
             1/fvc::interpolate(*A_/a, "interpolate(voidFraction)")
         )
     );
+    if (forced_.valid())
+    {
+        *mobility_ += *forced_
+           *(fvc::interpolate(a/(*A_), "interpolate(voidFraction)")
+          - *mobility_);
+    }
 }
 
 

@@ -169,6 +169,14 @@ void Foam::averagedFluid::correctPressure()
             fvc::flux(A*HbyA) + af*fvc::ddtCorr(U_, phi_)
         )
     );
+    if (forced_.valid())
+    {
+        // Not where a body forces the fluid in its cells: it is not a part of
+        // the fluid in them that resists, and beside it the fluid is free
+        alphaPhiHbyA += *forced_
+           *(fvc::flux(alpha()*HbyA) + mobility*af*fvc::ddtCorr(U_, phi_)
+          - alphaPhiHbyA);
+    }
     if (p_.needReference())
     {
         // All that comes in goes out, but for what the bodies displace

@@ -190,7 +190,7 @@ void Foam::caseCheck::checkSizes()
         largest = max(largest, 2*s.boundingRadius());
         cells = min(cells, d/k.cell);
 
-        if (around_.points && d > k.cell)
+        if (around_.points && !around_.mixed && d > k.cell)
         {
             sentence os;
             os  << nameOf(k).c_str() << ", " << d << " m, is a point to the"

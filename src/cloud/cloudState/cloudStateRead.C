@@ -224,6 +224,7 @@ bool Foam::cloudState::read
 (
     const fvMesh& mesh,
     dem::demSolver& dem,
+    coupling::bodyKinds& kinds,
     coupling::implicitForcing* immersed,
     coupling::pointForces* points
 )
@@ -250,6 +251,10 @@ bool Foam::cloudState::read
     readContacts(saved, dict.get<wordList>("walls"), dem);
     dem.readCounters(dict);
 
+    if (kinds.mixed())
+    {
+        kinds.restore(dem.state(), saved.field<label>("resolved"));
+    }
     const bool fluid = dict.get<bool>("fluid");
     if (fluid && immersed)
     {

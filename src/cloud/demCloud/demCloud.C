@@ -47,23 +47,6 @@ void keepBuoyancy
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::demCloud::startForces(const label firstNew)
-{
-    if (!immersed_.valid())
-    {
-        return;
-    }
-
-    // Buoyancy and, for the first step, the inertia of the fluid around
-    dem::bodies& state = dem_->state();
-    for (label b = firstNew; b < state.size(); ++b)
-    {
-        state.fluidForce[b] =
-            immersed_->startForce(b, coupling_ == "twoWay");
-    }
-}
-
-
 void Foam::demCloud::followMesh(const scalar t0, const scalar t1)
 {
     if (meshMoved_ && !meshChanged_)
@@ -175,6 +158,7 @@ void Foam::demCloud::markInterface()
         interface_->mark
         (
             dem_->state(),
+            kinds_,
             patches_.period(),
             2*mesh_.time().deltaTValue()
         );
@@ -187,7 +171,8 @@ void Foam::demCloud::samplePoints()
     const dem::bodies& state = dem_->state();
     if (interval_.valid())
     {
-        if (!interval_->due(state, *points_))
+        // Who has become a point has no forces yet
+        if (!interval_->due(state, *points_) && !kindsChanged_)
         {
             return;
         }
@@ -260,11 +245,18 @@ void Foam::demCloud::beginStep()
         ledger::entry e(ledger_, ledger::ofBodies);
 
         followMesh(t0, t1);
+        kindsChanged_ = false;
+        findKinds();
         changed = removeLeaving(t0) > 0;
         const label n = dem_->state().size();
         dem_->enter(t0);
         changed = changed || dem_->state().size() > n;
+        if (kinds_.mixed() && changed)
+        {
+            findKinds();
+        }
         startForces(n);
+        changed = changed || kindsChanged_;
         dem_->shareOut();
     }
 
@@ -320,13 +312,23 @@ void Foam::demCloud::addForcing(fvMatrix<vector>& eqn, const word& density)
         rho_->checkEquation(density);
     }
     beginStep();
+    addExchange(eqn);
+    addImmersed(eqn);
+}
 
+
+void Foam::demCloud::addExchange(fvMatrix<vector>& eqn)
+{
     if (exchanged_.valid())
     {
         ledger::entry e(ledger_, "exchange with the fluid");
         exchanged_->addTo(eqn);
     }
+}
 
+
+void Foam::demCloud::addImmersed(fvMatrix<vector>& eqn)
+{
     if (immersed_.valid())
     {
         ledger::entry e(ledger_, "forcing of the fluid");
@@ -381,6 +383,14 @@ void Foam::demCloud::finishExchange(const volVectorField& U)
     exchange_.toBodies = exchanged_->toBodies();
     exchange_.toFluid = exchanged_->toFluid(U);
     exchange_.volumeError = exchanged_->volumeError();
+    if (immersed_.valid())
+    {
+        const scalar dt = mesh_.time().deltaTValue();
+        exchange_.toBodies += dt*immersed_->forceOnBodies();
+        exchange_.toFluid += dt*immersed_->forceOnFluid(U);
+        exchange_.volumeError =
+            max(exchange_.volumeError, immersed_->volumeError());
+    }
     exchange_.leastAlpha = exchanged_->leastAlpha();
     exchange_.excess = exchanged_->excess().excess;
 }

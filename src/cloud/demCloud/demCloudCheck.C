@@ -53,6 +53,7 @@ Foam::caseCheck::surroundings Foam::demCloud::surroundings() const
     }
     s.points = points_.valid();
     s.felt = exchanged_.valid();
+    s.mixed = kinds_.mixed();
     s.rho = rho_->isField() ? 0 : rho_->uniform();
 
     const IOdictionary transport(constantDict(mesh_, "transportProperties"));

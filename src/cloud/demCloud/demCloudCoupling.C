@@ -55,16 +55,7 @@ void Foam::demCloud::checkCoupling(const fluidAccess access) const
         }
     };
 
-    if (actsOnFluid() && dict_.found("immersed"))
-    {
-        refuse
-        (
-            "forces",
-            "does not go with coupling " + coupling_ + " and immersed: bodies"
-            " are either points to the fluid (forces, voidFraction) or fill its"
-            " cells (immersed); take one of them out"
-        );
-    }
+    checkKinds();
     const bool points = pointBodies();
     if (access == fluidAccess::look)
     {
@@ -84,7 +75,7 @@ void Foam::demCloud::checkCoupling(const fluidAccess access) const
         refuse("interface", "needs the fvOption demCloud; take it out");
     }
 
-    if (points)
+    if (points && !immersedBodies())
     {
         const string why
         (
@@ -137,6 +128,7 @@ void Foam::demCloud::makeExchange(const bool averaged)
             bins_,
             cells_,
             *dem_,
+            kinds_,
             *rho_,
             *points_,
             dict_,
@@ -157,6 +149,7 @@ void Foam::demCloud::makeExchange(const bool averaged)
 void Foam::demCloud::readCoupling(const fluidAccess access)
 {
     checkCoupling(access);
+    readKinds();
 
     if (coupling_ != "none")
     {
@@ -185,6 +178,7 @@ void Foam::demCloud::readCoupling(const fluidAccess access)
                 bins_,
                 cells_,
                 *dem_,
+                kinds_,
                 *rho_,
                 dict_.subDict("fluid"),
                 dict_.subDict("forces")
@@ -198,7 +192,7 @@ void Foam::demCloud::readCoupling(const fluidAccess access)
             makeExchange(access == fluidAccess::share);
         }
     }
-    else if (coupling_ != "none")
+    if (immersedBodies())
     {
         immersed_.reset
         (
@@ -207,6 +201,7 @@ void Foam::demCloud::readCoupling(const fluidAccess access)
                 mesh_,
                 bins_,
                 *dem_,
+                kinds_,
                 *rho_,
                 dict_.subDict("immersed")
             )

@@ -72,7 +72,7 @@ void Foam::demCloud::checkInput() const
             "integrator", "stepControl", "neighbours", "immersed", "forces",
             "voidFraction", "momentumExchange", "solidFields", "interface",
             "couplingInterval", "output", "start", "effects",
-            "watchdog"
+            "watchdog", "resolved"
         }
     );
 }
@@ -358,7 +358,7 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const fluidAccess access)
     patches_.check
     (
         *dem_,
-        coupling_ != "none" && !pointBodies()
+        immersedBodies()
     );
     meters_.reset
     (
@@ -380,6 +380,7 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const fluidAccess access)
         (
             mesh,
             *dem_,
+            kinds_,
             immersed_.valid() ? immersed_.get() : nullptr,
             points_.valid() ? points_.get() : nullptr
         );
@@ -393,6 +394,7 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const fluidAccess access)
     }
     if (!goesOn)
     {
+        kinds_.update(mesh, cells_, dem_->state());
         startForces(0);
     }
     if (exchanged_.valid())
@@ -400,7 +402,9 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const fluidAccess access)
         exchanged_->start();
     }
 
-    if (access == fluidAccess::act && !points_.valid())
+    const bool acts =
+        access == fluidAccess::act || access == fluidAccess::share;
+    if (acts && (immersed_.valid() || !points_.valid()))
     {
         interface_.reset
         (
@@ -432,7 +436,7 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const fluidAccess access)
     looked.writeAdvice(Info);
     for (const caseCheck::figure& f : looked.figures())
     {
-        if (immersed_.valid() && f.name == "cellsOverDiameter")
+        if (!pointBodies() && f.name == "cellsOverDiameter")
         {
             ledger_.setCells(f.value);
         }

@@ -36,7 +36,7 @@ void Foam::demCloud::putBodies(Writer& out) const
         diameter[b] = state.shapeOf(b).equivalentDiameter();
         force[b] = state.forceWithDrag(b);
         torque[b] = state.torque[b];
-        if (immersed_.valid() && !dem_->moves())
+        if (immersed_.valid() && kinds_.resolved(b) && !dem_->moves())
         {
             force[b] = immersed_->force(b);
             torque[b] = immersed_->torque(b);
@@ -45,6 +45,10 @@ void Foam::demCloud::putBodies(Writer& out) const
     out.write("orientation", axis);
     out.write("orientationW", w);
     out.write("diameter", diameter);
+    if (kinds_.mixed())
+    {
+        out.write("resolved", kinds_.saved());
+    }
     out.write("force", force);
     out.write("torque", torque);
 }

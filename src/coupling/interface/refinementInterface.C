@@ -118,6 +118,7 @@ Foam::coupling::refinementInterface::refinementInterface
 void Foam::coupling::refinementInterface::mark
 (
     const dem::bodies& state,
+    const bodyKinds& kinds,
     const dem::periodicity& period,
     const scalar ahead
 )
@@ -134,6 +135,10 @@ void Foam::coupling::refinementInterface::mark
 
     forAll(state.x, b)
     {
+        if (!kinds.resolved(b))
+        {
+            continue;
+        }
         const dem::shape& s = state.shapeOf(b);
         const scalar motion =
             ahead

@@ -19,6 +19,7 @@ Foam::coupling::pointForces::pointForces
     const cellBins& bins,
     bodyCells& cells,
     dem::demSolver& dem,
+    const bodyKinds& kinds,
     const fluidDensity& rho,
     const dictionary& fluid,
     const dictionary& forces
@@ -28,6 +29,7 @@ Foam::coupling::pointForces::pointForces
     bins_(bins),
     cells_(cells),
     dem_(dem),
+    kinds_(kinds),
     drag_(dragLaw::New(forces)),
     sphericity_(0),
     grains_(1),

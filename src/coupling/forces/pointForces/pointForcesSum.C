@@ -53,6 +53,25 @@ void Foam::coupling::pointForces::findElements()
 }
 
 
+void Foam::coupling::pointForces::leaveOutResolved()
+{
+    // As points they are in no fluid
+    label next = dem_.state().size();
+    for (label b = 0; kinds_.mixed() && b < dem_.state().size(); ++b)
+    {
+        const label n = first_[b + 1] - first_[b];
+        const label nOwn = n == 1 ? 0 : n;
+        if (kinds_.resolved(b))
+        {
+            UList<sampledFluid>& fluid = sampler_->fluid();
+            fluid[b] = sampledFluid();
+            SubList<sampledFluid>(fluid, nOwn, next) = sampledFluid();
+        }
+        next += nOwn;
+    }
+}
+
+
 Foam::coupling::pointBody Foam::coupling::pointForces::bodyOf
 (
     const label b,
@@ -287,6 +306,10 @@ void Foam::coupling::pointForces::act
     fluidVelocity_[b] = fluid.u;
     setDrag(b, atElements);
     followBody(b);
+    if (kinds_.resolved(b))
+    {
+        return;
+    }
     state.fluidForce[b] = sum.force + sum.undisturbed;
     state.fluidTorque[b] =
         meanTorque(b, sum, 0.5*fluid.curlU, atElements, dt);
@@ -366,6 +389,7 @@ void Foam::coupling::pointForces::sample
     findElements();
     times_.lap("locating");
     sampler_->sample(points_, cellOf_, U, alpha);
+    leaveOutResolved();
     times_.lap("sampling of the fluid");
 
     elements_.setSize(first_[n]);

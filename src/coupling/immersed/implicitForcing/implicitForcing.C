@@ -94,6 +94,7 @@ Foam::coupling::implicitForcing::implicitForcing
     const fvMesh& mesh,
     const cellBins& bins,
     dem::demSolver& dem,
+    const bodyKinds& kinds,
     const fluidDensity& rho,
     const dictionary& dict
 )
@@ -101,6 +102,7 @@ Foam::coupling::implicitForcing::implicitForcing
     mesh_(mesh),
     bins_(bins),
     dem_(dem),
+    kinds_(kinds),
     rho_(rho),
     kappa_(1000),
     viscousRate_(20),
@@ -157,6 +159,11 @@ void Foam::coupling::implicitForcing::project(const volVectorField& U)
     for (label b = 0; b < n; ++b)
     {
         imposed_[b] = imposedMotion{state.v[b], state.omega[b]};
+        cells_[b].clear();
+        if (!kinds_.resolved(b))
+        {
+            continue;
+        }
         findCells(b);
         for (const bodyCell& bc : cells_[b])
         {
@@ -173,7 +180,10 @@ void Foam::coupling::implicitForcing::project(const volVectorField& U)
         forAll(volume, b)
         {
             const scalar exact = state.shapeOf(b).fluidVolume();
-            volumeError_ = max(volumeError_, mag(volume[b]/exact - 1));
+            if (kinds_.resolved(b))
+            {
+                volumeError_ = max(volumeError_, mag(volume[b]/exact - 1));
+            }
         }
     }
 

@@ -20,14 +20,17 @@ void Foam::coupling::implicitForcing::startImposed(const volVectorField& U)
     List<vector> momentum(state.size(), vector(Zero));
     List<scalar> volume(state.size(), scalar(0));
     bool anyNew = false;
+    starts_.setSize(state.size());
+    starts_ = false;
 
     forAll(cells_, b)
     {
-        if (imposed0_.found(state.id[b]))
+        if (imposed0_.found(state.id[b]) || !kinds_.resolved(b))
         {
             continue;
         }
         anyNew = true;
+        starts_[b] = true;
         for (const bodyCell& bc : cells_[b])
         {
             const scalar V = bc.beta*mesh_.V()[bc.cell];
@@ -47,7 +50,7 @@ void Foam::coupling::implicitForcing::startImposed(const volVectorField& U)
     dem::sumOverRanks(volume);
     forAll(cells_, b)
     {
-        if (!imposed0_.found(state.id[b]))
+        if (!imposed0_.found(state.id[b]) && kinds_.resolved(b))
         {
             imposed0_.insert
             (
@@ -138,6 +141,14 @@ Foam::coupling::implicitForcing::addedOf(const label b)
 void Foam::coupling::implicitForcing::move(const label b)
 {
     dem::bodies& state = dem_.state();
+    if (starts_[b])
+    {
+        // The flow around it comes into being in this step; that is not the
+        // body's to pay for, and the force to start with holds on
+        newForce_[b] = state.fluidForce[b];
+        newTorque_[b] = state.fluidTorque[b];
+        return;
+    }
     const imposedMotion& old = imposed0_[state.id[b]];
     const imposedMotion& now = imposed_[b];
     const scalar dt = mesh_.time().deltaTValue();
@@ -274,8 +285,11 @@ void Foam::coupling::implicitForcing::correctMotion()
     slip_ = 0;
     forAll(cells_, b)
     {
-        move(b);
-        slip_ = max(slip_, mag(state.v[b] - imposed_[b].v));
+        if (kinds_.resolved(b))
+        {
+            move(b);
+            slip_ = max(slip_, mag(state.v[b] - imposed_[b].v));
+        }
     }
 }
 
@@ -317,7 +331,7 @@ Foam::coupling::implicitForcing::carriedOf(const label b) const
     if (open_)
     {
         c.imposed = imposed_[b];
-        if (newForce_.size())
+        if (newForce_.size() && kinds_.resolved(b))
         {
             c.force = newForce_[b];
             c.torque = newTorque_[b];
@@ -338,7 +352,10 @@ void Foam::coupling::implicitForcing::setCarried
 )
 {
     dem::bodies& state = dem_.state();
-    imposed0_.set(state.id[b], c.imposed);
+    if (kinds_.resolved(b))
+    {
+        imposed0_.set(state.id[b], c.imposed);
+    }
     state.fluidForce[b] = c.force;
     state.fluidTorque[b] = c.torque;
 }
@@ -355,7 +372,10 @@ void Foam::coupling::implicitForcing::finish()
     imposed0_.clear();
     forAll(cells_, b)
     {
-        setCarried(b, carriedOf(b));
+        if (kinds_.resolved(b))
+        {
+            setCarried(b, carriedOf(b));
+        }
     }
     open_ = false;
 }

@@ -105,15 +105,20 @@ const Foam::labelList& Foam::coupling::ballCells::cells
 void Foam::coupling::ballCells::find
 (
     const dem::bodies& state,
+    const bodyKinds& kinds,
     List<cellBall>& balls
 )
 {
     const labelList& cell = cells(state);
+    const auto isPoint = [&](const label s)
+    {
+        return cell[s] >= 0 && !kinds.resolved(state.sphereBody[s]);
+    };
 
     label n = 0;
-    for (const label c : cell)
+    forAll(cell, s)
     {
-        n += c >= 0;
+        n += isPoint(s);
     }
     whole_ = !Pstream::parRun() && n == state.size() && n == cell.size();
     body_.setSize(n);
@@ -132,7 +137,7 @@ void Foam::coupling::ballCells::find
         }
         for (label s = first; s < last; ++s)
         {
-            if (cell[s] >= 0)
+            if (isPoint(s))
             {
                 body_[n] = b;
                 share_[n] = pow3(state.sphereR[s])/all;

@@ -47,13 +47,13 @@ Foam::scalar fallen(const Foam::scalar z)
 void Foam::coupling::momentumExchange::place()
 {
     const dem::bodies& state = dem_.state();
-    ballCells_.find(state, balls_);
+    ballCells_.find(state, kinds_, balls_);
     spread_->place(std::move(balls_));
 
     List<scalar> volume(state.size());
     forAll(volume, b)
     {
-        volume[b] = state.shapeOf(b).volume();
+        volume[b] = kinds_.resolved(b) ? 0 : state.shapeOf(b).volume();
     }
     List<scalar> room;
     const UList<scalar>& ofBalls = ballCells_.share(volume, room);
@@ -97,6 +97,12 @@ void Foam::coupling::momentumExchange::findImpulses()
         const scalar k =
             state.drag || !feels_ ? forces_.rateNear(b, mag(slip)) : 0;
         const scalar m = state.mass[b];
+        J_[b] = Zero;
+        response_[b] = 0;
+        if (kinds_.resolved(b))
+        {
+            continue;
+        }
         J_[b] = dt*forces_.lostByFluid(b);
         if (responds())
         {
@@ -118,6 +124,10 @@ void Foam::coupling::momentumExchange::findImpulses()
 Foam::vector Foam::coupling::momentumExchange::impulse(const label b) const
 {
     const dem::bodies& state = dem_.state();
+    if (kinds_.resolved(b))
+    {
+        return Zero;
+    }
     return
         J_[b]
       + (responds() ? state.mass[b]*(state.v[b] - v_[b]) : rest_[b]);
@@ -178,6 +188,7 @@ Foam::coupling::momentumExchange::momentumExchange
     const cellBins& bins,
     bodyCells& centres,
     dem::demSolver& dem,
+    const bodyKinds& kinds,
     const fluidDensity& rho,
     exchangedForces& forces,
     const dictionary& dict,
@@ -187,6 +198,7 @@ Foam::coupling::momentumExchange::momentumExchange
 :
     mesh_(mesh),
     dem_(dem),
+    kinds_(kinds),
     rho_(rho),
     forces_(forces),
     feels_(feels),
@@ -326,6 +338,10 @@ void Foam::coupling::momentumExchange::finish(const volVectorField& U)
     ballCells_.average(seen, state.size());
     forAll(seen, b)
     {
+        if (kinds_.resolved(b))
+        {
+            continue;
+        }
         if (responds())
         {
             state.v[b] = v_[b] + response_[b]/state.mass[b]*seen[b];

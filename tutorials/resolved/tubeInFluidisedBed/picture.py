@@ -1,0 +1,110 @@
+# -----------------------------------------------------------------------------
+#  Styx: rigid particles in OpenFOAM flows
+#  Copyright (C) 2026 The Styx founders
+# -----------------------------------------------------------------------------
+# License
+#     This file is part of Styx, which is free software: GPL-3.0-or-later,
+#     without any warranty. See the file COPYING.
+#
+# Usage
+#     xvfb-run -a pvbatch picture.py FILE.png [time]
+#
+# Description
+#     Draws the grains of the half behind the tube's axis by their velocity
+#     upwards, the tube, and beside them the void fraction in the plane of the
+#     axis, at the written time next to the one named (else the last).
+# -----------------------------------------------------------------------------
+
+import os
+import sys
+
+from paraview.simple import (
+    Calculator, ColorBy, CreateView, ExtractBlock, GetColorTransferFunction,
+    GetScalarBar, Glyph, OpenFOAMReader, Outline, SaveScreenshot, Show, Slice,
+    Text, Threshold, Transform)
+
+
+def coloured(shown, view, field, component, low, high, scheme, title, place):
+    shown.Representation = "Surface"
+    ColorBy(shown, field + component)
+    table = GetColorTransferFunction(field[1])
+    table.ApplyPreset(scheme, True)
+    table.RescaleTransferFunction(low, high)
+    bar = GetScalarBar(table, view)
+    bar.Title, bar.ComponentTitle = title, ""
+    bar.TitleColor = bar.LabelColor = [0.1, 0.1, 0.1]
+    bar.WindowLocation, bar.Position = "Any Location", place
+    bar.ScalarBarLength = 0.3
+    bar.TitleFontSize = bar.LabelFontSize = 22
+    shown.SetScalarBarVisibility(view, True)
+
+
+def kind(spheres, behind, low, high):
+    """Spheres of a diameter; of grains those behind the axis."""
+    test = f"(diameter > {low}) * (diameter < {high})"
+    if not behind:
+        test += " * (coordsY > 0.025)"
+    chosen = Calculator(Input=spheres, Function=test, ResultArrayName="chosen")
+    part = Threshold(Input=chosen, Scalars=["POINTS", "chosen"])
+    part.LowerThreshold, part.UpperThreshold = 0.5, 1.5
+    return part
+
+
+def main(png, time=None):
+    case = os.path.basename(os.getcwd()) + ".foam"
+    open(case, "a").close()
+    reader = OpenFOAMReader(FileName=case)
+    reader.MeshRegions = ["internalMesh", "lagrangian/demCloudSpheres"]
+    reader.UpdatePipelineInformation()
+    times = list(reader.TimestepValues)
+    time = min(times, key=lambda t: abs(t - time)) if time else times[-1]
+
+    view = CreateView("RenderView")
+    view.ViewSize = [1300, 1300]
+    view.ViewTime = time
+    view.UseColorPaletteForBackground = 0
+    view.Background = [1, 1, 1]
+    view.OrientationAxesVisibility = 0
+    reader.UpdatePipeline(time)
+
+    spheres = ExtractBlock(Input=reader, Selectors=["/Root/lagrangian"])
+    grains = Glyph(Input=kind(spheres, 0, 0.00249, 0.00251),
+                   GlyphType="Sphere")
+    tube = Glyph(Input=kind(spheres, 1, 0.019, 0.021), GlyphType="Sphere")
+    for glyph, radius in ((grains, 0.00125), (tube, 0.01)):
+        glyph.GlyphType.Radius = radius
+        glyph.GlyphType.ThetaResolution = glyph.GlyphType.PhiResolution = 24
+        glyph.ScaleArray = ["POINTS", "No scale array"]
+        glyph.ScaleFactor = 1
+        glyph.GlyphMode = "All Points"
+    coloured(Show(grains, view), view, ("POINTS", "velocity"), ("Z",), -0.3,
+             0.3, "Cool to Warm", "velocity upwards [m/s]", [0.86, 0.55])
+    Show(tube, view).DiffuseColor = [0.95, 0.75, 0.2]
+
+    mesh = ExtractBlock(Input=reader, Selectors=["/Root/internalMesh"])
+    plane = Slice(Input=mesh)
+    plane.SliceType.Origin = [0.025, 0.0251, 0]
+    plane.SliceType.Normal = [0, 1, 0]
+    aside = Transform(Input=plane)
+    aside.Transform.Translate = [0.06, 0, 0]
+    coloured(Show(aside, view), view, ("CELLS", "voidFraction"), (), 0.4, 1,
+             "Viridis (matplotlib)", "void fraction [-]", [0.86, 0.15])
+    Show(Outline(Input=mesh), view).DiffuseColor = [0.3, 0.3, 0.3]
+
+    title = Show(Text(Text=f"A tube in a fluidised bed, t = {time:.3g} s"),
+                 view)
+    title.WindowLocation, title.Position = "Any Location", [0.03, 0.955]
+    title.FontSize, title.Color = 30, [0.1, 0.1, 0.1]
+
+    view.CameraPosition = [0.062, -0.46, 0.09]
+    view.CameraFocalPoint = [0.062, 0.025, 0.072]
+    view.CameraViewUp = [0, 0, 1]
+    view.CameraViewAngle = 20
+    SaveScreenshot(png, view, ImageResolution=[1300, 1300])
+    print(f"{png}: t = {time:g} s")
+
+
+if __name__ == "__main__":
+    if not 2 <= len(sys.argv) <= 3:
+        sys.exit("Usage: pvbatch picture.py FILE.png [time]")
+    main(sys.argv[1], *(float(word) for word in sys.argv[2:]))
