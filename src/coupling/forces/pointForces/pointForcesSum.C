@@ -157,7 +157,7 @@ void Foam::coupling::pointForces::setDrag
         {
             e.stokes /= f.voidFraction;
         }
-        e.ReOverSlip = d/max(f.nu, VSMALL);
+        e.ReOverSlip = f.nu > 0 ? d/f.nu : 0;
         e.voidFraction = f.rho > 0 ? f.voidFraction : 1;
         if (!drag_.valid())
         {
