@@ -45,6 +45,26 @@ void checkPushed(const Foam::dictionary& forces)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+bool Foam::demCloud::actsOnFluid() const
+{
+    return coupling_ == "twoWay" || coupling_ == "particlesToFluid";
+}
+
+
+bool Foam::demCloud::pointBodies() const
+{
+    return
+        coupling_ == "fluidToParticles"
+     || (coupling_ != "none" && dict_.found("forces"));
+}
+
+
+bool Foam::demCloud::immersedBodies() const
+{
+    return coupling_ != "none" && (!pointBodies() || dict_.found("resolved"));
+}
+
+
 void Foam::demCloud::checkCoupling(const fluidAccess access) const
 {
     const auto refuse = [this](const word& block, const string& why)

@@ -46,8 +46,8 @@ void Foam::demCloud::checkKinds() const
         (
             dict_,
             "forces",
-            "does not go with coupling " + coupling_ + " and immersed: bodies are"
-            " either points to the fluid (forces, voidFraction) or fill its"
+            "does not go with coupling " + coupling_ + " and immersed: bodies"
+            " are either points to the fluid (forces, voidFraction) or fill its"
             " cells (immersed).\n"
             "    Take one of them out, or say which bodies are which:"
             " resolved { shapes { ... } }"

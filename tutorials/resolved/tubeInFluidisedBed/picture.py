@@ -79,7 +79,9 @@ def main(png, time=None):
         glyph.GlyphMode = "All Points"
     coloured(Show(grains, view), view, ("POINTS", "velocity"), ("Z",), -0.3,
              0.3, "Cool to Warm", "velocity upwards [m/s]", [0.86, 0.55])
-    Show(tube, view).DiffuseColor = [0.95, 0.75, 0.2]
+    shown = Show(tube, view)
+    ColorBy(shown, None)
+    shown.DiffuseColor = [0.95, 0.75, 0.2]
 
     mesh = ExtractBlock(Input=reader, Selectors=["/Root/internalMesh"])
     plane = Slice(Input=mesh)
@@ -96,8 +98,8 @@ def main(png, time=None):
     title.WindowLocation, title.Position = "Any Location", [0.03, 0.955]
     title.FontSize, title.Color = 30, [0.1, 0.1, 0.1]
 
-    view.CameraPosition = [0.062, -0.46, 0.09]
-    view.CameraFocalPoint = [0.062, 0.025, 0.072]
+    view.CameraPosition = [0.062, -0.49, 0.095]
+    view.CameraFocalPoint = [0.062, 0.025, 0.078]
     view.CameraViewUp = [0, 0, 1]
     view.CameraViewAngle = 20
     SaveScreenshot(png, view, ImageResolution=[1300, 1300])
