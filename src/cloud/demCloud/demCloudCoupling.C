@@ -45,6 +45,12 @@ void checkPushed(const Foam::dictionary& forces)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+const Foam::volVectorField& Foam::demCloud::U() const
+{
+    return mesh_.lookupObject<volVectorField>("U");
+}
+
+
 bool Foam::demCloud::actsOnFluid() const
 {
     return coupling_ == "twoWay" || coupling_ == "particlesToFluid";

@@ -114,4 +114,12 @@ void Foam::demCloud::startForces(const label firstNew)
 }
 
 
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::demCloud::fillsCells() const
+{
+    return immersed_.valid();
+}
+
+
 // ************************************************************************* //
