@@ -58,6 +58,10 @@ void Foam::forceTable::write
     }
     forAll(state.id, b)
     {
+        if (!immersed.acts(b))
+        {
+            continue;
+        }
         *force_
             << t << tab << state.id[b] << tab << immersed.fluidForce(b)
             << tab << immersed.contactForce(b) << nl;

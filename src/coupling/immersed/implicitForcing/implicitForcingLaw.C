@@ -202,6 +202,10 @@ void Foam::coupling::implicitForcing::findFriction()
     stamp_ = 0;
     forAll(cells_, b)
     {
+        if (!kinds_.resolved(b))
+        {
+            continue;
+        }
         for (bodyCell& bc : cells_[b])
         {
             if (bc.beta < 1 && bc.phi >= 0)

@@ -141,14 +141,6 @@ Foam::coupling::implicitForcing::addedOf(const label b)
 void Foam::coupling::implicitForcing::move(const label b)
 {
     dem::bodies& state = dem_.state();
-    if (starts_[b])
-    {
-        // The flow around it comes into being in this step; that is not the
-        // body's to pay for, and the force to start with holds on
-        newForce_[b] = state.fluidForce[b];
-        newTorque_[b] = state.fluidTorque[b];
-        return;
-    }
     const imposedMotion& old = imposed0_[state.id[b]];
     const imposedMotion& now = imposed_[b];
     const scalar dt = mesh_.time().deltaTValue();
@@ -160,18 +152,30 @@ void Foam::coupling::implicitForcing::move(const label b)
         return R & tensor(d.x(), 0, 0, 0, d.y(), 0, 0, 0, d.z()) & R.T();
     };
 
-    // Translation
+    // What contacts did: all of the change that the held forces did not make
     const scalar m = state.mass[b];
+    const vector& F0 = state.fluidForce[b];
+    const tensor I = state.inertiaTensor(b);
+    const vector J = m*(now.v - v0_[b]) - dt*(m*g + F0);
+    const vector JL = (I & now.omega) - L0_[b] - dt*state.fluidTorque[b];
+    contactForce_[b] = J/dt;
+    contactTorque_[b] = JL/dt;
+    if (starts_[b])
+    {
+        // The flow around it comes into being in this step; that is not the
+        // body's to pay for, and the force to start with holds on
+        newForce_[b] = F0;
+        newTorque_[b] = state.fluidTorque[b];
+        return;
+    }
+
+    // Translation
     const scalar mf = fluid.mass;
     const tensor A =
         inSpace(virtualMass_*fluid.around*addedOf(b).mass());
     const tensor inverse = inv(m*tensor::I + A);
-    const vector& F0 = state.fluidForce[b];
     const vector dv = now.v - old.v;
     const vector dOmega = now.omega - old.omega;
-
-    // What contacts did: all of the change that the held forces did not make
-    const vector J = m*(now.v - v0_[b]) - dt*(m*g + F0);
 
     const vector v =
         v0_[b]
@@ -189,7 +193,6 @@ void Foam::coupling::implicitForcing::move(const label b)
     // Rotation: the inertia of the fluid inside is that of the body, scaled.
     // The viscous layer is part of what turns with it
     const vector T = torque_[b] + (fluid.moment ^ (dv/dt - g));
-    const tensor I = state.inertiaTensor(b);
     const tensor B =
         inSpace
         (
@@ -197,7 +200,6 @@ void Foam::coupling::implicitForcing::move(const label b)
         );
     const tensor inverseB = inv(tensor::I + B);
     const vector dL = I & dOmega;
-    const vector JL = (I & now.omega) - L0_[b] - dt*state.fluidTorque[b];
 
     const vector L =
         inverseB
@@ -216,8 +218,6 @@ void Foam::coupling::implicitForcing::move(const label b)
     newTorque_[b] =
         (L - L0_[b] - JL)/dt + (B & (inverseB & JL))/dt;
 
-    contactForce_[b] = J/dt;
-    contactTorque_[b] = JL/dt;
     state.v[b] = v;
     state.L[b] = L;
     state.omega[b] = state.omegaFrom(b, L);
@@ -291,6 +291,38 @@ void Foam::coupling::implicitForcing::correctMotion()
             slip_ = max(slip_, mag(state.v[b] - imposed_[b].v));
         }
     }
+}
+
+
+bool Foam::coupling::implicitForcing::acts(const label b) const
+{
+    return kinds_.resolved(b);
+}
+
+
+const Foam::vector&
+Foam::coupling::implicitForcing::force(const label b) const
+{
+    return force_[b];
+}
+
+
+const Foam::vector&
+Foam::coupling::implicitForcing::torque(const label b) const
+{
+    return torque_[b];
+}
+
+
+Foam::vector Foam::coupling::implicitForcing::contactForce(const label b) const
+{
+    return contactForce_.empty() ? vector(Zero) : contactForce_[b];
+}
+
+
+Foam::vector Foam::coupling::implicitForcing::contactTorque(const label b) const
+{
+    return contactTorque_.empty() ? vector(Zero) : contactTorque_[b];
 }
 
 
