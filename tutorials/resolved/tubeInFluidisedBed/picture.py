@@ -7,7 +7,7 @@
 #     without any warranty. See the file COPYING.
 #
 # Usage
-#     xvfb-run -a pvbatch picture.py FILE.png [time]
+#     ../../../bin/styxRender picture.py FILE.png [time]
 #
 # Description
 #     Draws the grains of the half behind the tube's axis by their velocity
@@ -15,28 +15,12 @@
 #     axis, at the written time next to the one named (else the last).
 # -----------------------------------------------------------------------------
 
-import os
 import sys
 
 from paraview.simple import (
-    Calculator, ColorBy, CreateView, ExtractBlock, GetColorTransferFunction,
-    GetScalarBar, Glyph, OpenFOAMReader, Outline, SaveScreenshot, Show, Slice,
-    Text, Threshold, Transform)
-
-
-def coloured(shown, view, field, component, low, high, scheme, title, place):
-    shown.Representation = "Surface"
-    ColorBy(shown, field + component)
-    table = GetColorTransferFunction(field[1])
-    table.ApplyPreset(scheme, True)
-    table.RescaleTransferFunction(low, high)
-    bar = GetScalarBar(table, view)
-    bar.Title, bar.ComponentTitle = title, ""
-    bar.TitleColor = bar.LabelColor = [0.1, 0.1, 0.1]
-    bar.WindowLocation, bar.Position = "Any Location", place
-    bar.ScalarBarLength = 0.3
-    bar.TitleFontSize = bar.LabelFontSize = 22
-    shown.SetScalarBarVisibility(view, True)
+    Calculator, ColorBy, ExtractBlock, Outline, SaveScreenshot, Show, Slice,
+    Threshold, Transform)
+from styxScene import balls, coloured, heading, openCase
 
 
 def kind(spheres, behind, low, high):
@@ -51,34 +35,13 @@ def kind(spheres, behind, low, high):
 
 
 def main(png, time=None):
-    case = os.path.basename(os.getcwd()) + ".foam"
-    open(case, "a").close()
-    reader = OpenFOAMReader(FileName=case)
-    reader.MeshRegions = ["internalMesh", "lagrangian/demCloudSpheres"]
-    reader.UpdatePipelineInformation()
-    times = list(reader.TimestepValues)
-    time = min(times, key=lambda t: abs(t - time)) if time else times[-1]
-
-    view = CreateView("RenderView")
-    view.ViewSize = [1300, 1300]
-    view.ViewTime = time
-    view.UseColorPaletteForBackground = 0
-    view.Background = [1, 1, 1]
-    view.OrientationAxesVisibility = 0
-    reader.UpdatePipeline(time)
-
+    reader, view, time = openCase((1300, 1300), "lagrangian/demCloudSpheres",
+                                  time)
     spheres = ExtractBlock(Input=reader, Selectors=["/Root/lagrangian"])
-    grains = Glyph(Input=kind(spheres, 0, 0.00249, 0.00251),
-                   GlyphType="Sphere")
-    tube = Glyph(Input=kind(spheres, 1, 0.019, 0.021), GlyphType="Sphere")
-    for glyph, radius in ((grains, 0.00125), (tube, 0.01)):
-        glyph.GlyphType.Radius = radius
-        glyph.GlyphType.ThetaResolution = glyph.GlyphType.PhiResolution = 24
-        glyph.ScaleArray = ["POINTS", "No scale array"]
-        glyph.ScaleFactor = 1
-        glyph.GlyphMode = "All Points"
-    coloured(Show(grains, view), view, ("POINTS", "velocity"), ("Z",), -0.3,
-             0.3, "Cool to Warm", "velocity upwards [m/s]", [0.86, 0.55])
+    grains = balls(kind(spheres, 0, 0.00249, 0.00251), 0.0025)
+    tube = balls(kind(spheres, 1, 0.019, 0.021), 0.02)
+    coloured(Show(grains, view), view, ("POINTS", "velocity"), "Z", (-0.3, 0.3),
+             "Cool to Warm", "velocity upwards [m/s]", [0.86, 0.55])
     shown = Show(tube, view)
     ColorBy(shown, None)
     shown.DiffuseColor = [0.95, 0.75, 0.2]
@@ -89,14 +52,11 @@ def main(png, time=None):
     plane.SliceType.Normal = [0, 1, 0]
     aside = Transform(Input=plane)
     aside.Transform.Translate = [0.06, 0, 0]
-    coloured(Show(aside, view), view, ("CELLS", "voidFraction"), (), 0.4, 1,
+    coloured(Show(aside, view), view, ("CELLS", "voidFraction"), "", (0.4, 1),
              "Viridis (matplotlib)", "void fraction [-]", [0.86, 0.15])
     Show(Outline(Input=mesh), view).DiffuseColor = [0.3, 0.3, 0.3]
 
-    title = Show(Text(Text=f"A tube in a fluidised bed, t = {time:.3g} s"),
-                 view)
-    title.WindowLocation, title.Position = "Any Location", [0.03, 0.955]
-    title.FontSize, title.Color = 30, [0.1, 0.1, 0.1]
+    heading(f"A tube in a fluidised bed, t = {time:.3g} s", view)
 
     view.CameraPosition = [0.062, -0.49, 0.095]
     view.CameraFocalPoint = [0.062, 0.025, 0.078]
