@@ -23,6 +23,7 @@ Description
 #include "figure.H"
 #include "mathematicalConstants.H"
 #include "OSspecific.H"
+#include "placedBody.H"
 #include "Random.H"
 #include "testMeshes.H"
 #include "testSurfaces.H"
@@ -64,29 +65,6 @@ dem::shape withSurface(const word& name, const triSurface& surface)
         ),
         dir
     );
-}
-
-
-//- The shape at a random place, turned at random
-dem::bodies placed
-(
-    const PtrList<dem::shape>& shapes,
-    const scalar h,
-    Random& random
-)
-{
-    dem::newBody n;
-    n.shapeI = 0;
-    n.materialI = 0;
-    n.density = 1000;
-    n.position = h*(random.sample01<vector>() - 0.5*vector::one);
-    const vector axis = random.GaussNormal<vector>();
-    n.orientation = quaternion(axis/mag(axis), 2*pi*random.sample01<scalar>());
-
-    dem::bodies state(shapes);
-    state.append(n);
-    state.update();
-    return state;
 }
 
 

@@ -19,6 +19,7 @@ Description
 #include "demCase.H"
 #include "figure.H"
 #include "mathematicalConstants.H"
+#include "placedBody.H"
 #include "Random.H"
 #include "testMeshes.H"
 #include "volumeFraction.H"
@@ -162,30 +163,6 @@ errors errorsOf
     );
     e.volume = mag(volume/exact - 1);
     return e;
-}
-
-
-//- A body of the shape at a random place in the cell at the origin, turned at
-//  random
-dem::bodies placed
-(
-    const PtrList<dem::shape>& shapes,
-    const scalar h,
-    Random& random
-)
-{
-    dem::newBody n;
-    n.shapeI = 0;
-    n.materialI = 0;
-    n.density = 1000;
-    n.position = h*(random.sample01<vector>() - 0.5*vector::one);
-    const vector axis = random.GaussNormal<vector>();
-    n.orientation = quaternion(axis/mag(axis), 2*pi*random.sample01<scalar>());
-
-    dem::bodies state(shapes);
-    state.append(n);
-    state.update();
-    return state;
 }
 
 
