@@ -111,6 +111,25 @@ void Foam::coupling::bodyKinds::read
             named_.set(name, read(ofShapes, name));
         }
     }
+
+    Info<< "    resolved";
+    const char* before = ": ";
+    for (const word& name : names)
+    {
+        const auto given = named_.cfind(name);
+        const rule said = given.found() ? given.val() : default_;
+        Info<< before << name;
+        before = ", ";
+        if (said == rule::bySize)
+        {
+            Info<< " from " << cells_ << " cells over the diameter on";
+        }
+        else
+        {
+            Info<< (said == rule::always ? " always" : " never");
+        }
+    }
+    Info<< endl;
 }
 
 
