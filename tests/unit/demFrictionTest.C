@@ -23,6 +23,7 @@ Description
 #include "hertz.H"
 #include "tangentialLaws.H"
 
+#include <cfenv>
 #include <cmath>
 
 using namespace styxTest;
@@ -282,6 +283,50 @@ TEST(demFriction, sphereSlope)
         "m/s2",
         "closed form 5/7 g sin"
     );
+}
+
+
+TEST(demFriction, hardHits)
+{
+    // A ball that falls straight, with a force of 80 kN, beside one that
+    // slides: no lane of the sweep divides a large number by nothing
+    for (const char* tangential : {"mindlin", "coulomb"})
+    {
+        demCase c
+        (
+            "demSolver hades;\n"
+            "materials { steel { density 7800; youngsModulus 7e10;"
+            " poissonsRatio 0.3; } }\n"
+            "pairs { steel-steel { restitution 0.5; friction 0.5; } }\n"
+            "shapes { ball { type sphere; diameter 0.1; } }\n"
+            "contact { tangential " + std::string(tangential) + "; }\n"
+            "walls { floor { type plane; point (0 0 0); normal (0 0 1);"
+            " material steel; } }\n"
+            "stepControl { type hades; }\n"
+            "bodies\n{\n"
+            "straight { material steel; shape ball; position (0 0 0.0501);"
+            " velocity (0 0 -5); }\n"
+            "slides { material steel; shape ball; position (1 0 0.0501);"
+            " velocity (20 0 -5); }\n}\n"
+        );
+        const int wrong = FE_OVERFLOW | FE_DIVBYZERO | FE_INVALID;
+        std::feclearexcept(FE_ALL_EXCEPT);
+        c.run(0.001);
+        const bool raised = std::fetestexcept(wrong);
+
+        const std::string name = "hardHits_" + std::string(tangential);
+        figure(name + "_exceptions", raised, 0, 0, "-", "none");
+        figureNear
+        (
+            name, c.state().v[0].z(), 2.5, 0.01, "m/s",
+            "restitution of the ball that falls straight"
+        );
+        figureNear
+        (
+            name + "_slides", c.state().v[1].x(), 20 - 0.5*1.5*5, 0.01,
+            "m/s", "closed form v0 - mu (1 + e) v_n"
+        );
+    }
 }
 
 
