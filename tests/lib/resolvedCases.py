@@ -128,3 +128,123 @@ def writeBox(file, edges, centre=(0, 0, 0)):
                     out.write("vertex %.10g %.10g %.10g\n" % tuple(corner[k]))
                 out.write("endloop\nendfacet\n")
         out.write("endsolid box\n")
+
+
+def cylinderInOpen(case, cells, step, end):
+    """The cylinder of the channel, D = 0.1 m, 15 D behind an inlet of 1 m/s,
+    25 D before the outlet, 20 D from sides that slip; cells over D near it."""
+    copyCase(tests + "validation/schaeferTurek2D1", case)
+    D = 0.1
+    x, y = (-1.5, 2.5), (-2, 2)
+    core = (-0.75*D, 1.5*D, -0.75*D, 0.75*D)
+
+    def sections(low, high, inner, numbers, ratios):
+        """Three pieces of a side: length, cells, last cell over first."""
+        lengths = (inner[0] - low, inner[1] - inner[0], high - inner[1])
+        return "(%s)" % " ".join("(%.6g %d %.6g)" % row for row in
+                                 zip(lengths, numbers, ratios))
+
+    nx = [round(1.75*cells), round(2.25*cells), 4*cells]
+    ny = [round(1.8*cells), round(1.5*cells), round(1.8*cells)]
+    grading = "%s %s 1" % (
+        sections(*x, core[:2], nx, (1/27, 1, 18)),
+        sections(*y, core[2:], ny, (1/38, 1, 38)))
+    text = open(case + "/system/blockMeshDict").read()
+    head = text[:text.index("// 20 cells")]
+    points = ["(%g %g %g)" % (a, b, c) for c in (0, 0.05) for b in y for a in x]
+    with open(case + "/system/blockMeshDict", "w") as out:
+        out.write(head + "vertices\n(\n%s\n);\n\nblocks\n(\n"
+                  "hex (0 1 3 2 4 5 7 6) (%d %d 1) simpleGrading (%s)\n);\n"
+                  % ("\n".join(points), sum(nx), sum(ny), grading) + """
+boundary
+(
+    inlet        { type patch; faces ((0 4 6 2)); }
+    outlet       { type patch; faces ((1 3 7 5)); }
+    walls        { type patch; faces ((0 1 5 4) (2 6 7 3)); }
+    frontAndBack { type empty; faces ((0 2 3 1) (4 5 7 6)); }
+);
+""")
+    # No side of the cylinder lies on a side of cells
+    edit(case, "constant/demCloudProperties", "(0.2 0.2 0.025)",
+         "(%.8g %.8g 0.025)" % (0.3*D/cells, 0.2*D/cells))
+    text = open(case + "/0/U").read()
+    with open(case + "/0/U", "w") as out:
+        out.write(text[:text.index("internalField")] + """\
+internalField   uniform (1 0 0);
+boundaryField
+{
+    inlet        { type fixedValue; value uniform (1 0 0); }
+    outlet       { type inletOutlet; inletValue uniform (0 0 0);
+                   value uniform (1 0 0); }
+    walls        { type slip; }
+    frontAndBack { type empty; }
+}
+""")
+    setTimes(case, step, end)
+    runIn(case, "blockMesh")
+
+
+def gradedCube(case, cells, half, step, end, shear=None):
+    """The cube of periodicArray about the origin, whose sides are walls half
+    away from the middle: even cells, so many over 1 m, within 1 m, three times
+    as many by grading outside. With a rate of shear the flow starts with it, the
+    walls across y move along x, and the other sides are cyclic."""
+    copyCase(tests + "analytic/periodicArray", case)
+    text = open(case + "/system/blockMeshDict").read()
+    outer = round(0.75*cells)
+    grading = "(%s)" % " ".join("(%g %d %g)" % row for row in (
+        (half - 1, outer, 1/9), (2, 2*cells, 1), (half - 1, outer, 9)))
+    n = 2*(outer + cells)
+    corners = " ".join("(%g %g %g)" % (a*half, b*half, c*half)
+                       for c in (-1, 1) for a, b in
+                       ((-1, -1), (1, -1), (1, 1), (-1, 1)))
+    sides = text[text.index("boundary"):]
+    if shear:
+        for old, name in (("front", "bottomWall"), ("back", "topWall")):
+            sides = re.sub(r"%s +\{ type cyclic; neighbourPatch \w+;" % old,
+                           "%s { type wall;" % name, sides)
+    else:
+        sides = re.sub(r"type cyclic; neighbourPatch \w+;", "type wall;",
+                       sides)
+    with open(case + "/system/blockMeshDict", "w") as out:
+        out.write(text[:text.index("// A unit cell")] + """
+vertices ( %s );
+blocks ( hex (0 1 2 3 4 5 6 7) (%d %d %d) simpleGrading (%s) );
+""" % (corners, n, n, n, " ".join(3*(grading,))) + sides)
+    flow = {"U": ("noSlip;", "fixedValue; value uniform (%g 0 0);"),
+            "p": ("zeroGradient;", "zeroGradient;")}
+    for field, (still, moving) in flow.items():
+        file = case + "/0/" + field
+        text = open(file).read()
+        if shear:
+            entries = '".*" { type cyclic; }\n'
+            for name, sign in (("bottomWall", -1), ("topWall", 1)):
+                entries += "    %s { type %s }\n" % (
+                    name, moving % (sign*half*shear) if field == "U" else moving)
+        else:
+            entries = '".*" { type %s }\n' % still
+        with open(file, "w") as out:
+            out.write(text.replace('".*" { type cyclic; }\n', entries))
+    edit(case, "system/fvSolution", "smoothSolver", "PBiCGStab")
+    edit(case, "system/fvSolution", "smoother        symGaussSeidel",
+         "preconditioner DILU")
+    setEntry(case + "/constant/fvOptions", "drive", None)
+    setTimes(case, step, end)
+    runIn(case, "blockMesh")
+    if shear:
+        with open(case + "/system/setExprFieldsDict", "w") as out:
+            out.write("""FoamFile
+{ version 2.0; format ascii; class dictionary; object setExprFieldsDict; }
+expressions
+(
+    U
+    {
+        field       U;
+        dimensions  [0 1 -1 0 0 0 0];
+        condition   "";
+        expression  "vector(%g*pos().y(), 0, 0)";
+        keepPatches true;
+    }
+);
+""" % shear)
+        runIn(case, "setExprFields")
