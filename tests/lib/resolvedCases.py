@@ -12,13 +12,15 @@
 #         cube("case", 36, 3.0, nu, properties)
 #                                 a cube of 36^3 cells with cyclic sides
 #         startFrom("fine", "coarse")     the flow of another mesh
+#         releasedPlate(0.5, 4, 11)       accelerations over the closed form
 #------------------------------------------------------------------------------
+import math
 import os
 import re
 import shutil
 
 from badInput import edit
-from cases import setEntry
+from cases import ledger, setEntry
 from cloudCase import copyCase, runIn
 
 tests = os.environ["STYX_DIR"] + "/tests/"
@@ -248,3 +250,59 @@ expressions
 );
 """ % shear)
         runIn(case, "setExprFields")
+
+
+def writeSpheroid(file, a, c, around=32, along=16):
+    """A spheroid about z with the semi-axes a, a, c as an STL surface."""
+    def point(i, j):
+        t, p = math.pi*i/along, 2*math.pi*j/around
+        return (a*math.sin(t)*math.cos(p), a*math.sin(t)*math.sin(p),
+                c*math.cos(t))
+
+    with open(file, "w") as out:
+        out.write("solid spheroid\n")
+        for i in range(along):
+            for j in range(around):
+                top, low = point(i, j), point(i + 1, j)
+                triangles = []
+                if i < along - 1:
+                    triangles.append((top, low, point(i + 1, j + 1)))
+                if i > 0:
+                    triangles.append((top, point(i + 1, j + 1) if i < along - 1
+                                      else low, point(i, j + 1)))
+                for triangle in triangles:
+                    out.write("facet normal 0 0 0\nouter loop\n")
+                    for corner in triangle:
+                        out.write("vertex %.12g %.12g %.12g\n" % corner)
+                    out.write("endloop\nendfacet\n")
+        out.write("endsolid spheroid\n")
+
+
+def releasedPlate(ratio, levels, steps, dt=1e-3):
+    """Accelerations, after the first step and over the closed form, of a flat
+    spheroid of 20 by 2 mm that is released broadside in a still fluid, the
+    mesh refined levels times; at ratio 1 over that of gravity."""
+    a, c, rho, g = 0.01, 0.001, 1000, 9.81
+    case = copyCase(tests + "analytic/releasedSphere",
+                    "levels%d_%g" % (levels, ratio))
+    writeSpheroid(case + "/constant/plate.stl", a, c)
+    with open(case + "/constant/plate.multisphere", "w") as out:
+        out.write("FoamFile { version 2.0; format ascii; class dictionary;"
+                  " object plate; }\nspheres\n(\n    ((0 0 0) 1e-3)"
+                  " ((6e-3 0 0) 8e-4) ((-6e-3 0 0) 8e-4)\n);\n")
+    properties = case + "/constant/demCloudProperties"
+    setEntry(properties, "shapes/sphere", '{ type multisphere;'
+             ' file "plate.multisphere"; geometry surface;'
+             ' surface "plate.stl"; }')
+    setEntry(properties, "materials/light/density", "%g" % (rho*ratio))
+    setEntry(case + "/constant/dynamicMeshDict", "maxRefinement",
+             "%d" % levels)
+    setTimes(case, dt, steps*dt)
+    runIn(case, "blockMesh")
+    speed = [r["fastest"] for r in ledger(runIn(case, "pimpleFoam"))]
+
+    # Lamb, article 114, for an oblate spheroid along its axis
+    e = math.sqrt(1 - (c/a)**2)
+    alpha = 2/e**2*(1 - c/a*math.asin(e)/e)
+    exact = g*abs(ratio - 1)/(ratio + alpha/(2 - alpha))
+    return [(v - u)/dt/(exact or g) for u, v in zip(speed, speed[1:])]

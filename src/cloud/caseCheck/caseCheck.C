@@ -295,7 +295,7 @@ void Foam::caseCheck::checkMemory()
             const scalar across = s.equivalentDiameter()/k.cell;
             cells +=
                 n*constant::mathematical::pi*sqr(across)*(across/6 + 1)
-               *sizeof(coupling::implicitForcing::bodyCell);
+               *sizeof(coupling::bodyCell);
         }
     }
 

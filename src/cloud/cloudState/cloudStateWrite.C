@@ -44,7 +44,7 @@ void writeCarried
     vectorField v(n), omega(n), force(n), torque(n);
     forAll(v, b)
     {
-        const coupling::implicitForcing::carried c(immersed.carriedOf(b));
+        const coupling::carriedMotion c(immersed.carriedOf(b));
         v[b] = c.imposed.v;
         omega[b] = c.imposed.omega;
         force[b] = c.force;

@@ -414,6 +414,7 @@ void Foam::demCloud::endStep()
         if (forces_.valid())
         {
             const ledger::entry e(ledger_, "output");
+            immersed_->sumFriction(U());
             forces_->write
             (
                 mesh_.time().value(),

@@ -149,6 +149,26 @@ Foam::dem::demInput Foam::demCloud::solverInput(const fluidAccess access)
             forces
         );
     }
+    const dictionary& solids = dict_.subOrEmptyDict("immersed");
+    if (immersedBodies() && solids.found(coupling::lubrication::name))
+    {
+        if (input.film.acts())
+        {
+            dem::badEntry
+            (
+                solids,
+                coupling::lubrication::name,
+                "stands in forces, too, and there is one film between bodies"
+                " of any kind; take one of them out"
+            );
+        }
+        input.film = coupling::lubrication::belowGrid
+        (
+            mesh_,
+            dict_.subDict("fluid"),
+            solids
+        );
+    }
     if (sharesOut(access))
     {
         input.owner = []()

@@ -25,7 +25,8 @@ Foam::autoPtr<Foam::OFstream> Foam::forceTable::open
     table->precision(12);
     *table
         << "# " << quantity << " on each body [" << unit.c_str() << "]" << nl
-        << "# Time\tbody\tfluid_(x y z)\tcontact_(x y z)" << endl;
+        << "# Time\tbody\tfluid_(x y z)\tcontact_(x y z)"
+        << "\tpressure_(x y z)\tviscous_(x y z)" << endl;
     return table;
 }
 
@@ -62,12 +63,18 @@ void Foam::forceTable::write
         {
             continue;
         }
+        const vector F = immersed.fluidForce(b);
+        const vector& viscousF = immersed.frictionForce(b);
         *force_
-            << t << tab << state.id[b] << tab << immersed.fluidForce(b)
-            << tab << immersed.contactForce(b) << nl;
+            << t << tab << state.id[b] << tab << F
+            << tab << immersed.contactForce(b)
+            << tab << F - viscousF << tab << viscousF << nl;
+        const vector T = immersed.fluidTorque(b);
+        const vector& viscousT = immersed.frictionTorque(b);
         *torque_
-            << t << tab << state.id[b] << tab << immersed.fluidTorque(b)
-            << tab << immersed.contactTorque(b) << nl;
+            << t << tab << state.id[b] << tab << T
+            << tab << immersed.contactTorque(b)
+            << tab << T - viscousT << tab << viscousT << nl;
     }
     force_->flush();
     torque_->flush();

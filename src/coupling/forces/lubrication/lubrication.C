@@ -83,4 +83,26 @@ Foam::dem::squeezedFilm Foam::coupling::lubrication::read
 }
 
 
+Foam::dem::squeezedFilm Foam::coupling::lubrication::belowGrid
+(
+    const fvMesh& mesh,
+    const dictionary& fluid,
+    const dictionary& immersed
+)
+{
+    if (immersed.isDict(name) && !immersed.subDict(name).found("range"))
+    {
+        dem::badEntry
+        (
+            immersed,
+            name,
+            "needs the gap from which on the mesh resolves the flow, over the"
+            " effective radius:\n    lubrication { roughness 1e-6; range 0.1; }"
+            " if a cell is a tenth of the radius"
+        );
+    }
+    return read(mesh, fluid, immersed);
+}
+
+
 // ************************************************************************* //

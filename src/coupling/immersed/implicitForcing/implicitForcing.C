@@ -35,14 +35,14 @@ void Foam::coupling::implicitForcing::addCells
             const scalar beta = fraction_(body, c, bins_.radius(c));
             if (beta > 0)
             {
-                const vector r = mesh_.C()[c] - centre;
-                const vector Ub = state.v[b] + (state.omega[b] ^ r);
-                bodyCell bc{c, beta, Ub, r};
+                bodyCell bc{c, beta, mesh_.C()[c] - centre};
+                bc.tight = beta;
                 bc.rho = rho_[c];
                 if (beta < 1)
                 {
                     bc.phi = body.distance(mesh_.C()[c]);
                     bc.n = body.normal(mesh_.C()[c]);
+                    bc.tight = tightFraction(body, bc);
                 }
                 cells.append(bc);
             }
@@ -116,11 +116,19 @@ Foam::coupling::implicitForcing::implicitForcing
     volumeError_(0),
     slip_(0)
 {
-    dem::checkKeys(dict, {"type", "kappa", "viscousRate", "virtualMass"});
+    dem::checkKeys
+    (
+        dict,
+        {
+            "type", "kappa", "viscousRate", "virtualMass", "outerCorrectors",
+            "lubrication"
+        }
+    );
     dem::getChoice(dict, "type", {"implicitForcing"});
     kappa_ = dem::getPositive(dict, "kappa", 1000);
     viscousRate_ = dem::getPositive(dict, "viscousRate", 20);
     virtualMass_ = dem::getInRange(dict, "virtualMass", 0, 10, 1.5);
+    repeat_ = motionRepeat::New(mesh, dict);
 
     for (direction d = 0; d < 3; ++d)
     {
@@ -188,6 +196,10 @@ void Foam::coupling::implicitForcing::project(const volVectorField& U)
     }
 
     startImposed(U);
+    if (repeat_.valid())
+    {
+        repeat_->start(imposed_);
+    }
     open_ = true;
 }
 
@@ -196,7 +208,11 @@ void Foam::coupling::implicitForcing::addTo(fvMatrix<vector>& eqn)
 {
     const volVectorField& U = eqn.psi();
     const List<vectorField> otherU(otherSide(U));
-    const scalarField& nu = mesh_.lookupObject<volScalarField>("nu");
+    const faceViscosity nu(mesh_);
+    if (repeat_.valid())
+    {
+        repeat_->next(dem_.state(), imposed_);
+    }
 
     diagonal_.setSize(mesh_.nCells());
     diagonal_ = 0;
@@ -213,7 +229,7 @@ void Foam::coupling::implicitForcing::addTo(fvMatrix<vector>& eqn)
             }
             else
             {
-                bc.target = bc.Ub;
+                bc.target = imposed_[b].at(bc.r);
                 bc.K = kappa_/mesh_.time().deltaTValue();
             }
             bc.rho = rho_[bc.cell];
@@ -255,6 +271,40 @@ void Foam::coupling::implicitForcing::sumForces(const volVectorField& U)
 
     dem::sumOverRanks(force_);
     dem::sumOverRanks(torque_);
+}
+
+
+void Foam::coupling::implicitForcing::sumFriction(const volVectorField& U)
+{
+    const dem::bodies& state = dem_.state();
+    const faceViscosity nu(mesh_);
+
+    friction_.setSize(state.size());
+    frictionTorque_.setSize(state.size());
+    forAll(cells_, b)
+    {
+        vector F(Zero);
+        vector T(Zero);
+        const imposedMotion& w = imposed_[b];
+        for (const bodyCell& bc : cells_[b])
+        {
+            const vector& UP = U[bc.cell];
+            for (label k = bc.link; k < bc.link + bc.nLinks; ++k)
+            {
+                const wallLink& l = links_[k];
+                const vector f =
+                    (bc.rho*mesh_.V()[bc.cell]*nu(l.face, bc.cell)*l.g)
+                   *((1/l.theta - 1)*(UP - w.at(bc.r)) + UP - w.at(l.r));
+                F += f;
+                T += (bc.r + l.theta*(l.r - bc.r)) ^ f;
+            }
+        }
+        friction_[b] = F;
+        frictionTorque_[b] = T;
+    }
+
+    dem::sumOverRanks(friction_);
+    dem::sumOverRanks(frictionTorque_);
 }
 
 

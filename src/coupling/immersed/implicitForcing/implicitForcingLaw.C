@@ -13,6 +13,35 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+Foam::scalar Foam::coupling::implicitForcing::edge(const label cell) const
+{
+    const scalar V = mesh_.V()[cell];
+    return thickness_ > 0 ? sqrt(V/thickness_) : cbrt(V);
+}
+
+
+Foam::scalar Foam::coupling::implicitForcing::tightFraction
+(
+    const bodyGeometry& body,
+    const bodyCell& bc
+) const
+{
+    // A cell deep below the surface that is nearest: nearer to one that looks
+    // the other way?
+    const scalar h = edge(bc.cell);
+    const point deep = mesh_.C()[bc.cell] - (bc.phi + h)*bc.n;
+    const scalar phi = body.distance(deep);
+    if (phi < -(1 - 1e-6)*h || (body.normal(deep) & bc.n) > -0.5)
+    {
+        return bc.beta;
+    }
+
+    // The body's thickness is h - phi. In one of the cells across it there is
+    // half of it, and that is to be all
+    return min(2*bc.beta*h/max(h - phi, bc.beta*h), scalar(1));
+}
+
+
 bool Foam::coupling::implicitForcing::across
 (
     const label face,
@@ -92,13 +121,10 @@ Foam::List<Foam::vectorField> Foam::coupling::implicitForcing::otherSide
 
 void Foam::coupling::implicitForcing::findLinks
 (
-    const label b,
     const bodyGeometry& body,
-    const vector& shift,
     bodyCell& bc
 )
 {
-    const dem::bodies& state = dem_.state();
     bc.link = links_.size();
 
     for (const label f : mesh_.cells()[bc.cell])
@@ -118,11 +144,7 @@ void Foam::coupling::implicitForcing::findLinks
         // next to nothing the cell has the body's velocity
         const scalar theta = max(bc.phi/(bc.phi - inside), 1e-6);
         const scalar g = conductance(f)/mesh_.V()[bc.cell];
-        bc.friction += g*(1/theta - 1);
-        links_.append
-        (
-            wallLink{f, g, state.v[b] + (state.omega[b] ^ (bc.r + d))}
-        );
+        links_.append(wallLink{f, g, theta, bc.r + d});
     }
     bc.nLinks = links_.size() - bc.link;
 }
@@ -159,15 +181,14 @@ void Foam::coupling::implicitForcing::addNeighbours
             {
                 return;
             }
-            bodyCell bc{c, 0, Zero, mesh_.C()[c] - centre};
+            bodyCell bc{c, 0, mesh_.C()[c] - centre};
             bc.phi = body.distance(mesh_.C()[c]);
             if (bc.phi > reach + bins_.radius(c))
             {
                 return;
             }
-            bc.Ub = state.v[b] + (state.omega[b] ^ bc.r);
             bc.rho = rho_[c];
-            findLinks(b, body, shift, bc);
+            findLinks(body, bc);
             if (bc.nLinks)
             {
                 cells_[b].append(bc);
@@ -212,7 +233,7 @@ void Foam::coupling::implicitForcing::findFriction()
             {
                 const vector shift = mesh_.C()[bc.cell] - bc.r - state.x[b];
                 const bodyGeometry body(state, b, solved_, shift);
-                findLinks(b, body, shift, bc);
+                findLinks(body, bc);
             }
         }
         addNeighbours(b, Zero, reach[b]);
@@ -235,38 +256,52 @@ void Foam::coupling::implicitForcing::setCut
     bodyCell& bc,
     const volVectorField& U,
     const List<vectorField>& otherU,
-    const scalarField& nu
+    const faceViscosity& nu
 ) const
 {
     const scalar dt = mesh_.time().deltaTValue();
-    const scalar V = mesh_.V()[bc.cell];
-    const scalar ratio = bc.beta/max(1 - bc.beta, SMALL);
+    const vector Ub = imposed_[b].at(bc.r);
 
     // The friction of the wall in place of that against the cells inside,
     // which may slip
-    scalar Kv = nu[bc.cell]*bc.friction;
+    scalar Kv = 0;
     bc.push = Zero;
     if (bc.phi < 0)
     {
-        const scalar h2 = thickness_ > 0 ? V/thickness_ : sqr(cbrt(V));
-        Kv = ratio*viscousRate_*nu[bc.cell]/h2;
+        Kv =
+            bc.beta/max(1 - bc.beta, SMALL)
+           *viscousRate_*nu.inCell(bc.cell)/sqr(edge(bc.cell));
     }
     for (label k = bc.link; k < bc.link + bc.nLinks; ++k)
     {
         const wallLink& l = links_[k];
+        const scalar nug = nu(l.face, bc.cell)*l.g;
+        Kv += nug*(1/l.theta - 1);
         bc.push +=
-            (nu[bc.cell]*l.g)*(l.Ub - acrossU(l.face, bc.cell, U, otherU));
+            nug
+           *(imposed_[b].at(l.r) - acrossU(l.face, bc.cell, U, otherU));
     }
 
     // The mixture: tight across the surface, free along it
     const imposedMotion& old = imposed0_[dem_.state().id[b]];
-    const vector along =
-        U.oldTime()[bc.cell] + bc.Ub - old.v - (old.omega ^ bc.r);
-    const vector mixture = along + ((bc.Ub - along) & bc.n)*bc.n;
-    const scalar Ki = ratio/dt;
+    const vector& Un = U.oldTime()[bc.cell];
+    const vector dUb = Ub - old.at(bc.r);
+    const auto across = [&](const vector& along)
+    {
+        return along + ((Ub - along) & bc.n)*bc.n;
+    };
+    const scalar Ki = min(bc.beta/max(1 - bc.beta, SMALL), kappa_)/dt;
 
-    bc.target = (Kv*bc.Ub + Ki*mixture)/max(Kv + Ki, VSMALL);
-    bc.K = min(Kv + Ki, kappa_/dt);
+    // What is tighter than its share has no more than that share of the body's
+    // inertia along the surface
+    const scalar Kt =
+        min(bc.tight/max(1 - bc.tight, SMALL), kappa_)/dt - Ki;
+
+    const scalar K = Kv + Ki + Kt;
+    bc.target =
+        (Kv*Ub + Ki*across(Un + dUb) + Kt*across(Un + bc.beta*dUb))
+       /max(K, VSMALL);
+    bc.K = min(K, kappa_/dt);
 }
 
 

@@ -153,11 +153,13 @@ void Foam::coupling::implicitForcing::move(const label b)
     };
 
     // What contacts did: all of the change that the held forces did not make
+    // when the bodies advanced
     const scalar m = state.mass[b];
     const vector& F0 = state.fluidForce[b];
     const tensor I = state.inertiaTensor(b);
-    const vector J = m*(now.v - v0_[b]) - dt*(m*g + F0);
-    const vector JL = (I & now.omega) - L0_[b] - dt*state.fluidTorque[b];
+    const imposedMotion& first = repeat_.valid() ? repeat_->first(b) : now;
+    const vector J = m*(first.v - v0_[b]) - dt*(m*g + F0);
+    const vector JL = (I & first.omega) - L0_[b] - dt*state.fluidTorque[b];
     contactForce_[b] = J/dt;
     contactTorque_[b] = JL/dt;
     if (starts_[b])
@@ -352,11 +354,11 @@ Foam::vector Foam::coupling::implicitForcing::fluidTorque(const label b) const
 }
 
 
-Foam::coupling::implicitForcing::carried
+Foam::coupling::carriedMotion
 Foam::coupling::implicitForcing::carriedOf(const label b) const
 {
     const dem::bodies& state = dem_.state();
-    carried c{{state.v[b], state.omega[b]}, Zero, Zero};
+    carriedMotion c{{state.v[b], state.omega[b]}, Zero, Zero};
     c.force = state.fluidForce[b];
     c.torque = state.fluidTorque[b];
 
@@ -380,7 +382,7 @@ Foam::coupling::implicitForcing::carriedOf(const label b) const
 void Foam::coupling::implicitForcing::setCarried
 (
     const label b,
-    const carried& c
+    const carriedMotion& c
 )
 {
     dem::bodies& state = dem_.state();

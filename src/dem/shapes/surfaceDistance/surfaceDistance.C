@@ -35,6 +35,8 @@ void Foam::dem::surfaceDistance::setNormals()
     const List<labelledTri>& triangles = s.localFaces();
 
     normal_.setSize(triangles.size());
+    middle_.setSize(triangles.size());
+    reach_.setSize(triangles.size(), Zero);
     cornerNormal_.setSize(points.size(), Zero);
     edgeNormal_.setSize(triangles.size());
     forAll(triangles, t)
@@ -44,6 +46,11 @@ void Foam::dem::surfaceDistance::setNormals()
             (points[tri[1]] - points[tri[0]])
           ^ (points[tri[2]] - points[tri[0]]);
         normal_[t] = n/mag(n);
+        middle_[t] = tri.centre(points);
+        for (const label corner : tri)
+        {
+            reach_[t] = max(reach_[t], mag(points[corner] - middle_[t]));
+        }
         for (label k = 0; k < 3; ++k)
         {
             const point& p = points[tri[k]];
@@ -223,10 +230,15 @@ Foam::dem::surfaceDistance::hit Foam::dem::surfaceDistance::operator()
     vector normal;
     for (const label t : some)
     {
-        const scalar d2 = magSqr(p - nearestOf(t, p, normal));
-        if (d2 < least)
+        // Most are farther away by the balls around them
+        if (magSqr(p - middle_[t]) >= sqr(least + reach_[t]))
         {
-            least = d2;
+            continue;
+        }
+        const scalar d = mag(p - nearestOf(t, p, normal));
+        if (d < least)
+        {
+            least = d;
             best = t;
         }
     }
