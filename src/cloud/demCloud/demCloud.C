@@ -447,6 +447,7 @@ void Foam::demCloud::close()
     finishWriting();
     if (!ledger_.closed())
     {
+        closeAccuracy();
         ledger_.close
         (
             mesh_.time().rootPath()/mesh_.time().globalCaseName()
@@ -456,6 +457,10 @@ void Foam::demCloud::close()
         if (interval_.valid())
         {
             interval_->writeSummary(Info);
+        }
+        if (accuracy_.valid())
+        {
+            accuracy_->writeSummary(Info);
         }
         writeRanks();
         writeSinks();

@@ -251,6 +251,27 @@ void Foam::demCloud::readInterval(const fluidAccess access)
                 points_.valid()
             )
         );
+        if
+        (
+            access == fluidAccess::share
+         && interval_->skips()
+         && coupling::pointForce::switchedOn
+            (
+                "pressureGradient",
+                dict_.subOrEmptyDict("forces")
+            )
+        )
+        {
+            dem::badEntry
+            (
+                dict_.subDict("couplingInterval"),
+                "every",
+                "leaves out exchanges, in which bodies with pressureGradient"
+                " feel the pressure that they make themselves: held over steps"
+                " it is not stable. Take every 1, or equations B without"
+                " pressureGradient"
+            );
+        }
     }
 }
 

@@ -72,7 +72,7 @@ void Foam::demCloud::checkInput() const
             "integrator", "stepControl", "neighbours", "immersed", "forces",
             "voidFraction", "momentumExchange", "solidFields", "interface",
             "couplingInterval", "output", "start", "effects",
-            "watchdog", "resolved"
+            "watchdog", "resolved", "accuracy"
         }
     );
 }
@@ -177,6 +177,7 @@ Foam::dem::demInput Foam::demCloud::solverInput(const fluidAccess access)
         };
     }
     input.restart = cloudState::found(mesh_);
+    input.contactError = accuracy_.valid() ? accuracy_->share() : 0;
     input.checkShape =
         [this](const dem::shape& s, const dictionary& d)
         {
@@ -371,6 +372,7 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const fluidAccess access)
     {
         coupling_ = "none";
     }
+    planAccuracy(access);
     chooseContacts(access);
     const dem::demInput input(solverInput(access));
     dem_ = dem::demSolver::New(input);
@@ -391,6 +393,7 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const fluidAccess access)
             mesh.time().timeName()
         )
     );
+    chooseCouplingAccuracy();
     readCoupling(access);
     readOutput();
 
@@ -454,6 +457,7 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const fluidAccess access)
         << endl;
     const caseCheck looked(check(false));
     looked.writeAdvice(Info);
+    writeAccuracy(looked);
     for (const caseCheck::figure& f : looked.figures())
     {
         if (!pointBodies() && f.name == "cellsOverDiameter")

@@ -16,6 +16,9 @@ License
 
 Foam::effectInput::effectInput(const dictionary& properties)
 {
+    // An effect that is left out may be as large as the error that is wanted
+    target = properties.getOrDefault<scalar>("accuracy", target);
+
     const wordList types({"asNamed", "auto"});
     if (!properties.isDict("effects"))
     {

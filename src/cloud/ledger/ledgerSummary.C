@@ -158,6 +158,10 @@ void Foam::ledger::writeTable
     {
         put("cellsOverSmallestDiameter", cells_);
     }
+    for (const auto& f : figures_)
+    {
+        put(f.first, f.second);
+    }
     put("wallTime_s", all);
     put("ledgerBookings", nBooked_);
     put("ledgerShare_percent", 100*nBooked_*one/all);

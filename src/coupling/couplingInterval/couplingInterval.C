@@ -288,6 +288,8 @@ void Foam::coupling::couplingInterval::exchanged
     // At most twice the last one: a force that stands still says little
     const scalar last = steps_*mesh_.time().deltaTValue();
     const scalar part = sqrt(change/size);
+    changes_ += steps_ > 1 ? part*last : 0;
+    heldTime_ += last;
     changeBound_ = last*min(maxChange_/max(part, VSMALL), scalar(2));
 }
 

@@ -17,10 +17,16 @@ License
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::coupling::decay::decay(const word& scheme, const label nSteps)
+Foam::coupling::decay::decay
+(
+    const word& scheme,
+    const label nSteps,
+    const scalar tolerance
+)
 :
     scheme_(scheme),
     nSteps_(nSteps),
+    tolerance_(tolerance),
     series_(1, scalar(1)),
     range_(0)
 {}
@@ -61,8 +67,6 @@ void Foam::coupling::decay::expand(const scalar range)
     using constant::mathematical::pi;
 
     range_ = range;
-    const scalar rest = 1e-9;
-
     // Twice as many points until the coefficients have come down to the rest
     for (label n = 32; ; n *= 2)
     {
@@ -85,7 +89,7 @@ void Foam::coupling::decay::expand(const scalar range)
 
         scalar tail = 0;
         label last = n - 1;
-        while (last > 0 && tail + mag(c[last]) < rest)
+        while (last > 0 && tail + mag(c[last]) < tolerance_)
         {
             tail += mag(c[last--]);
         }

@@ -77,10 +77,15 @@ Foam::coupling::diffusionFraction::diffusionFraction
     decay_
     (
         dem::getChoice(dict, "scheme", decay::schemes(), "exact"),
-        dem::getLabel(dict, "steps", 1, 3)
+        dem::getLabel(dict, "steps", 1, 3),
+        dem::getInRange(dict, "tolerance", 1e-12, 1e-3, 1e-9)
     )
 {
-    dem::checkKeys(dict, commonKeys({"bandwidth", "scheme", "steps"}));
+    dem::checkKeys
+    (
+        dict,
+        commonKeys({"bandwidth", "scheme", "steps", "tolerance"})
+    );
     if (dict.found("steps") && !dict.found("scheme"))
     {
         dem::badEntry

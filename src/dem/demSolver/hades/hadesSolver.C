@@ -116,6 +116,10 @@ void Foam::dem::hadesSolver::computeForces
         if (exchange_.valid() && !exchange_->takeFresh())
         {
             exchange_->reachOut(packed_, list_, walls_);
+            if (impulse_.valid())
+            {
+                impulse_->restart();
+            }
         }
         const auto start = std::chrono::steady_clock::now();
         list_.build(packed_);
@@ -286,7 +290,7 @@ Foam::dem::hadesSolver::hadesSolver(const demInput& input)
      == "relax"
     ),
     integrator_(integrator::New(input.dict)),
-    control_(stepControl::New(input.dict.subDict("stepControl")))
+    control_(chooseControl())
 {
     const contactLaws& laws = materials_.laws();
     if (group_.shared())
@@ -359,6 +363,10 @@ void Foam::dem::hadesSolver::advance(const scalar t0, const scalar t1)
         }
 
         t = dt == t1 - t ? t1 : t + dt;
+        if (impulse_.valid())
+        {
+            impulse_->step(packed_, dt);
+        }
 
         ++report_.nSteps;
         ++report_.limits(step.limit);

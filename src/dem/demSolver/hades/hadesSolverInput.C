@@ -11,6 +11,7 @@ License
 #include "hadesSolver.H"
 #include "allowedKeys.H"
 #include "checkedEntry.H"
+#include "contactAccuracy.H"
 #include "overlapRelaxation.H"
 #include "roomGrid.H"
 
@@ -64,6 +65,35 @@ void Foam::dem::hadesSolver::readSinks()
             sink::New(name, dict.subDict(name), input_.outlets).ptr()
         );
     }
+}
+
+
+Foam::autoPtr<Foam::dem::stepControl>
+Foam::dem::hadesSolver::chooseControl()
+{
+    if (!(input_.contactError > 0))
+    {
+        return stepControl::New(input_.dict.subDict("stepControl"));
+    }
+
+    scalar r = GREAT;
+    for (const shape& s : shapes_)
+    {
+        r = min(r, s.minRadius());
+    }
+    const dictionary control
+    (
+        contactAccuracy(input_.dict, materials_, 2*r, mag(g())).choose
+        (
+            input_.contactError,
+            stepAccuracy_
+        )
+    );
+    if (integrator_->leaps())
+    {
+        impulse_.reset(new impulseError(g()));
+    }
+    return stepControl::New(control);
 }
 
 

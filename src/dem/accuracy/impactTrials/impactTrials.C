@@ -26,8 +26,8 @@ void drawRotation(Random& rnd, vector& axis, scalar& angle)
     quaternion q;
     do
     {
-        q.w() = rnd.globalPosition<scalar>(-1, 1);
-        q.v() = rnd.globalPosition<vector>
+        q.w() = rnd.position<scalar>(-1, 1);
+        q.v() = rnd.position<vector>
         (
             -vector::one, vector(vector::one)
         );
@@ -265,7 +265,8 @@ Foam::dem::impactTrials::impactTrials
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::dem::impactTrials::result Foam::dem::impactTrials::restitution
+Foam::List<Foam::dem::impactTrials::velocities>
+Foam::dem::impactTrials::impacts
 (
     const dictionary& pair,
     const dictionary& stepControl,
@@ -275,8 +276,7 @@ Foam::dem::impactTrials::result Foam::dem::impactTrials::restitution
     // Bodies that still touch after so many durations stick
     const scalar longest = 300*duration_;
 
-    result r;
-    scalar before = 0, after = 0;
+    DynamicList<velocities> all(meetings_.size());
     for (const meeting& m : meetings_)
     {
         autoPtr<demSolver> solver(solverOf(caseOf(m, pair, stepControl)));
@@ -294,12 +294,30 @@ Foam::dem::impactTrials::result Foam::dem::impactTrials::restitution
             touched =
                 touched || touches || solver().report().overlap > 0;
         }
-        const scalar out = touches ? 0 : max(-closing(state, m), scalar(0));
+        all.append
+        (
+            velocities{in, touches ? 0 : max(-closing(state, m), scalar(0))}
+        );
+    }
+    return List<velocities>(std::move(all));
+}
 
-        before += in;
-        after += out;
-        r.least = min(r.least, out/in);
-        r.largest = max(r.largest, out/in);
+
+Foam::dem::impactTrials::result Foam::dem::impactTrials::restitution
+(
+    const dictionary& pair,
+    const dictionary& stepControl,
+    const scalar atOnce
+) const
+{
+    result r;
+    scalar before = 0, after = 0;
+    for (const velocities& v : impacts(pair, stepControl, atOnce))
+    {
+        before += v.in;
+        after += v.out;
+        r.least = min(r.least, v.out/v.in);
+        r.largest = max(r.largest, v.out/v.in);
     }
     r.mean = after/before;
     return r;
