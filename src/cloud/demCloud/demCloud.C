@@ -95,7 +95,7 @@ void Foam::demCloud::checkFinite() const
     {
         const scalar all =
             magSqr(state.x[b]) + magSqr(state.v[b]) + magSqr(state.L[b]);
-        if (!(all < GREAT))
+        if (!(all < ROOTVGREAT))
         {
             FatalErrorInFunction
                 << "Body " << state.id[b] << " ("
