@@ -193,6 +193,9 @@ Foam::scalar Foam::coupling::volumeFraction::operator()
     // What is small beside the cell, or curved, asks for smaller tetrahedra
     const label refinements = max(refinements_, body.refinements(radius));
 
+    // Where parts meet, down to a sixteenth of the cell whatever they are
+    const label creases = max(4 - refinements, 1);
+
     const pointField& points = mesh_.points();
     const corner atCentre(body, centre);
     DynamicList<corner, 12> fan;
@@ -222,7 +225,10 @@ Foam::scalar Foam::coupling::volumeFraction::operator()
             const tet t(atCentre, fan[0], fan[k - 1], fan[k]);
             const scalar V = volume(t);
             all += V;
-            addInside(body, t, longest2(t), refinements, 3, V, cut);
+            addInside
+            (
+                body, t, longest2(t), refinements, creases, V, cut
+            );
         }
     }
 
