@@ -36,7 +36,7 @@ def main(png, time=None):
     reader.UpdatePipeline(time)
     mesh = ExtractBlock(Input=reader, Selectors=["/Root/internalMesh"])
     plane = Slice(Input=mesh)
-    plane.SliceType.Origin = [0, 0.301, 0]
+    plane.SliceType.Origin = [0, 0.201, 0]
     plane.SliceType.Normal = [0, 1, 0]
     plane.Triangulatetheslice = 0
     shown = Show(plane, view)
@@ -70,9 +70,9 @@ def main(png, time=None):
 
     heading(f"Rocks fall through a pipe to the sea bed, t = {time:.3g} s", view)
     view.CameraPosition = [-2.6, -10.5, 4.6]
-    view.CameraFocalPoint = [0.25, 0, 1.9]
+    view.CameraFocalPoint = [0.3, 0, 1.8]
     view.CameraViewUp = [0, 0, 1]
-    view.CameraViewAngle = 27
+    view.CameraViewAngle = 29
     SaveScreenshot(png, view, ImageResolution=[1400, 1300])
     print(f"{png}: t = {time:g} s")
 
