@@ -70,6 +70,12 @@ void Foam::demCloud::saveState()
 
 void Foam::demCloud::advanceBodies(const scalar t0, const scalar t1)
 {
+    const bool pushed =
+        immersed_.valid() && coupling_ == "twoWay" && dem_->moves();
+    const coupling::implicitForcing::advancing along
+    (
+        pushed ? immersed_.get() : nullptr
+    );
     if (!watchdog_.valid())
     {
         dem_->advance(t0, t1);

@@ -11,6 +11,17 @@ License
 #include "implicitForcing.H"
 #include "rankSum.H"
 
+// * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
+
+namespace
+{
+
+// Added mass of a sphere that leaves a wall over that far away
+const Foam::scalar atWall = 1.606;
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::coupling::implicitForcing::startImposed(const volVectorField& U)
@@ -158,7 +169,8 @@ void Foam::coupling::implicitForcing::move(const label b)
     const vector& F0 = state.fluidForce[b];
     const tensor I = state.inertiaTensor(b);
     const imposedMotion& first = repeat_.valid() ? repeat_->first(b) : now;
-    const vector J = m*(first.v - v0_[b]) - dt*(m*g + F0);
+    const scalar share = along_.massShare(b);
+    const vector J = (m*(first.v - v0_[b]) - dt*(m*g + F0))/share;
     const vector JL = (I & first.omega) - L0_[b] - dt*state.fluidTorque[b];
     contactForce_[b] = J/dt;
     contactTorque_[b] = JL/dt;
@@ -215,8 +227,8 @@ void Foam::coupling::implicitForcing::move(const label b)
 
     // The force to hold in the next step, without the fluid's answer to the
     // contacts of this one, which will not come again
-    newForce_[b] =
-        (m*(v - v0_[b]) - J)/dt - m*g + (A & (inverse & J))/dt;
+    const vector answer = share < 1 ? (1 - share)*J : A & (inverse & J);
+    newForce_[b] = (m*(v - v0_[b]) - J + answer)/dt - m*g;
     newTorque_[b] =
         (L - L0_[b] - JL)/dt + (B & (inverseB & JL))/dt;
 
@@ -272,6 +284,54 @@ void Foam::coupling::implicitForcing::store()
     v0_ = state.v;
     L0_ = state.L;
     omega0_ = state.omega;
+}
+
+
+void Foam::coupling::implicitForcing::takeAlong()
+{
+    dem::bodies& state = dem_.state();
+    if (state.drag || rho_.isField())
+    {
+        // Bodies that are points to the fluid have their own way, and where
+        // the density changes it is not known what is taken along
+        return;
+    }
+    along_.start(state.size());
+    held_ = state.fluidForce;
+    forAll(held_, b)
+    {
+        if (kinds_.resolved(b))
+        {
+            // Along the way that it goes
+            const vector& C = addedOf(b).mass();
+            const vector e = state.q[b].R().T() & state.v[b];
+            const scalar part =
+                magSqr(e) > 0
+              ? (C & vector(cmptMultiply(e, e)))/magSqr(e)
+              : (C.x() + C.y() + C.z())/3;
+            along_.set
+            (
+                b,
+                state.mass[b],
+                atWall*part*rho_.uniform()*state.shapeOf(b).fluidVolume()
+            );
+            const vector weight = state.mass[b]*dem_.g();
+            state.fluidForce[b] =
+                (held_[b] + weight)/along_.massShare(b) - weight;
+        }
+    }
+    state.drag = &along_;
+}
+
+
+void Foam::coupling::implicitForcing::letGo()
+{
+    dem::bodies& state = dem_.state();
+    if (state.drag == &along_)
+    {
+        state.drag = nullptr;
+        state.fluidForce = held_;
+    }
 }
 
 
@@ -359,7 +419,7 @@ Foam::coupling::implicitForcing::carriedOf(const label b) const
 {
     const dem::bodies& state = dem_.state();
     carriedMotion c{{state.v[b], state.omega[b]}, Zero, Zero};
-    c.force = state.fluidForce[b];
+    c.force = state.drag == &along_ ? held_[b] : state.fluidForce[b];
     c.torque = state.fluidTorque[b];
 
     if (open_)
