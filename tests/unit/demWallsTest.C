@@ -17,8 +17,10 @@ Description
 
 #include "demCase.H"
 
+#include "figure.H"
 #include "planeWall.H"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -464,6 +466,54 @@ TEST(demWalls, nearestPoint)
         EXPECT_LE(d, best + 1e-12);
         EXPECT_GE(d, best - 0.02);
     }
+}
+
+
+//- A corner of a finer face stands on the edge of a coarser one: a triangle
+//  without an area, which is nowhere nearer than its longest edge
+TEST(demWalls, sliver)
+{
+    std::mt19937 random(5);
+    const auto uniform = [&]() { return random()/2147483648.0 - 1; };
+    const auto any = [&]() { return point(uniform(), uniform(), uniform()); };
+
+    scalar nearer = 0, off = 0;
+    for (int trial = 0; trial < 20000; ++trial)
+    {
+        const point a = 4*any();
+        vector edge = 0.01*any();
+        const vector away = 0.02*any();
+        if (trial % 2)
+        {
+            // Along an axis and halved, as meshes are, it has no normal at all
+            edge = vector(0, 0.01, 0);
+        }
+        const scalar part = trial % 2 ? 0.5 : 0.5 + 0.5*uniform();
+        point p[3] = {a, a + part*edge, a + edge};
+        std::shuffle(p, p + 3, random);
+        const point c = a + 0.5*edge + away;
+
+        const corners t = triangle(p[0], p[1], p[2]);
+        const point q = triangleWall::nearestPoint(t, c);
+        const scalar along =
+            std::min
+            (
+                std::max(((c - a) & edge)/magSqr(edge), scalar(0)),
+                scalar(1)
+            );
+        nearer = std::max(nearer, mag(c - a - along*edge) - mag(c - q));
+        off = std::max(off, mag((q - a) ^ edge)/mag(edge));
+    }
+    figure
+    (
+        "wallSliver_nearer", nearer, -noBar, 1e-12, "m",
+        "how much nearer than its edge a sliver is taken for, at most"
+    );
+    figure
+    (
+        "wallSliver_off", off, -noBar, 1e-12, "m",
+        "how far the nearest point is beside the edge, at most"
+    );
 }
 
 

@@ -31,6 +31,43 @@ Foam::scalar distance2
 }
 
 
+//- Point of a segment that is nearest to c [m]
+inline Foam::point nearestOf
+(
+    const Foam::point& a,
+    const Foam::point& b,
+    const Foam::point& c
+)
+{
+    using namespace Foam;
+
+    const vector ab = b - a;
+    const scalar along = ((c - a) & ab)/max(magSqr(ab), VSMALL);
+    return a + min(max(along, scalar(0)), scalar(1))*ab;
+}
+
+
+//- The same of a triangle without an area, as where a corner of a finer face
+//  stands on the edge of a coarser one
+Foam::point nearestOfSliver
+(
+    const Foam::dem::corners& t,
+    const Foam::point& c
+)
+{
+    Foam::point best = nearestOf(t[0], t[1], c);
+    for (int k = 1; k < 3; ++k)
+    {
+        const Foam::point p = nearestOf(t[k], t[(k + 1) % 3], c);
+        if (Foam::magSqr(c - p) < Foam::magSqr(c - best))
+        {
+            best = p;
+        }
+    }
+    return best;
+}
+
+
 //- Point of a triangle that is nearest to c [m]
 inline Foam::point nearestOf
 (
@@ -83,8 +120,13 @@ inline Foam::point nearestOf
         return t[1] + bc1/max(bc1 + bc2, VSMALL)*(t[2] - t[1]);
     }
 
+    // What is left of the normal of a sliver is round-off, its direction any
     const vector normal = ab ^ ac;
-    return c - ((c - t[0]) & normal)/max(magSqr(normal), VSMALL)*normal;
+    const scalar area2 = magSqr(normal);
+    return
+        area2 > 1e-20*abab*acac
+      ? c - ((c - t[0]) & normal)/area2*normal
+      : nearestOfSliver(t, c);
 }
 
 } // End anonymous namespace
