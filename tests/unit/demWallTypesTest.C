@@ -637,7 +637,7 @@ TEST(demWallTypes, pairCostFull)
             scalar(std::clock() - start)/CLOCKS_PER_SEC/200/nNear
         );
     }
-    EXPECT_GT(walls.touches().size(), nNear/3);
+    EXPECT_GT(walls.together().accepted.size(), nNear/3);
     figure("wallPairCost", 1e9*best, 0, 25, "ns", "own bar");
 }
 

@@ -72,7 +72,7 @@ void Foam::demCloud::checkInput() const
             "integrator", "stepControl", "neighbours", "immersed", "forces",
             "voidFraction", "momentumExchange", "solidFields", "interface",
             "couplingInterval", "output", "start", "effects",
-            "watchdog", "resolved", "accuracy"
+            "watchdog", "resolved", "accuracy", "sleeping"
         }
     );
 }

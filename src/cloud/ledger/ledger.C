@@ -95,6 +95,10 @@ void Foam::ledger::line
         << " steps (" << limitsText(report.limits).c_str() << "), "
         << report.nRejected << " undone, " << report.nContacts
         << " contacts, overlap " << 100*report.overlap << " %";
+    if (report.nAsleep >= 0)
+    {
+        Info<< ", " << report.nAsleep << " asleep";
+    }
 
     if (coupled.active)
     {

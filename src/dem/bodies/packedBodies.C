@@ -184,6 +184,10 @@ void Foam::dem::packedBodies::pack(const bodies& state, const vector& g)
     meanRadius_ = nSpheres_ ? sum(state.sphereR)/nSpheres_ : 0;
     hold(state);
     clearForces();
+    if (asleep_.any())
+    {
+        setAsleep(UList<bool>());
+    }
 }
 
 
@@ -236,13 +240,9 @@ void Foam::dem::packedBodies::unpack(bodies& state) const
         state.L[b] = state.inertia[b].x()*state.omega[b];
     }
 
-    for (label k = 0; k < label(clumps_.size()); ++k)
+    for (const int k : ownClump_)
     {
         const clump& c = clumps_[k];
-        if (c.copied)
-        {
-            continue;
-        }
         vector F, T;
         collect(now_, k, c, F, T);
 
@@ -253,6 +253,16 @@ void Foam::dem::packedBodies::unpack(bodies& state) const
         state.omega[c.body] =
             angularVelocity(c.q, state.L[c.body], c.inertia);
     }
+    if (asleep_.any())
+    {
+        unpackAsleep(state);
+    }
+}
+
+
+void Foam::dem::packedBodies::setInstructions(const sweepSet& sweeps)
+{
+    sweeps_ = &sweeps;
 }
 
 
@@ -266,6 +276,7 @@ void Foam::dem::packedBodies::setPositions(const bodies& state)
     {
         c.x = state.x[c.body];
     }
+    asleep_.setStale();
 }
 
 
@@ -379,13 +390,9 @@ Foam::scalar Foam::dem::packedBodies::paths(std::vector<path>& all) const
         );
     }
 
-    for (label k = 0; k < label(clumps_.size()); ++k)
+    for (const int k : ownClump_)
     {
         const clump& c = clumps_[k];
-        if (c.copied)
-        {
-            continue;
-        }
         vector F, T;
         collect(now_, k, c, F, T);
         const path p = centre(c.body, c.v, g_ + F/c.mass);
@@ -404,6 +411,36 @@ Foam::scalar Foam::dem::packedBodies::paths(std::vector<path>& all) const
         }
     }
     return longest;
+}
+
+
+Foam::scalar Foam::dem::packedBodies::minRadius() const
+{
+    return minRadius_;
+}
+
+
+Foam::scalar Foam::dem::packedBodies::meanRadius() const
+{
+    return meanRadius_;
+}
+
+
+Foam::label Foam::dem::packedBodies::idOf(const label b) const
+{
+    return state_->id[b];
+}
+
+
+const Foam::dem::rankGroup& Foam::dem::packedBodies::group() const
+{
+    return group_;
+}
+
+
+bool Foam::dem::packedBodies::dragged() const
+{
+    return drag_;
 }
 
 

@@ -225,13 +225,14 @@ void Foam::dem::packedBodies::leap(const scalar dt, const bool trial)
 
     if (trial)
     {
+        const bool stale = asleep_.takeStale();
         now_.swap(old_);
-        if (now_.w.size() != old_.w.size())
+        if (stale || now_.w.size() != old_.w.size())
         {
             now_ = old_;
         }
         std::swap(clumps_, oldClumps_);
-        if (clumps_.size() != oldClumps_.size())
+        if (stale || clumps_.size() != oldClumps_.size())
         {
             clumps_ = oldClumps_;
         }
@@ -251,6 +252,15 @@ void Foam::dem::packedBodies::leap(const scalar dt, const bool trial)
         leapSingles(now_, dt);
         leapClumps(now_, clumps_, dt);
     }
+    for (label b = 0; b < label(given_.size()) && asleep_.any(); ++b)
+    {
+        if (asleep_.has(b))
+        {
+            // The fluid loses what the contacts take up
+            given_[b] +=
+                dt/drag_->massShare(b)*drag_->acceleration(b, Zero);
+        }
+    }
     clumpMotion_ = motion_;
     boundSingles();
     pending_ = 0.5*dt;
@@ -263,6 +273,11 @@ void Foam::dem::packedBodies::undo()
     std::swap(clumps_, oldClumps_);
     std::swap(given_, oldGiven_);
     pending_ = oldPending_;
+    if (asleep_.any())
+    {
+        asleep_.reset(now_);
+        asleep_.setStale();
+    }
 }
 
 

@@ -16,6 +16,21 @@ using Foam::dem::quadRecords::record;
 using Foam::dem::quadRecords::surface;
 using Foam::dem::quadRecords::vectorOf;
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Set the angular velocity of a clump, whose spheres follow
+void place(Foam::dem::packedBodies::clump& c)
+{
+    c.omega = Foam::dem::angularVelocity(c.q, c.L, c.inertia);
+    c.q0 = c.q;
+}
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::dem::packedBodies::note(const label b, const vector& a)
@@ -23,13 +38,6 @@ void Foam::dem::packedBodies::note(const label b, const vector& a)
     motion_.speed = max(motion_.speed, mag(velocity(b)));
     motion_.turning = max(motion_.turning, turning(b));
     motion_.acceleration = max(motion_.acceleration, mag(a));
-}
-
-
-void Foam::dem::packedBodies::place(clump& c)
-{
-    c.omega = angularVelocity(c.q, c.L, c.inertia);
-    c.q0 = c.q;
 }
 
 

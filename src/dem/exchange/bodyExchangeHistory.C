@@ -100,15 +100,16 @@ Foam::DynamicList<Foam::dem::namedTouch> Foam::dem::bodyExchange::touchesOf
 {
     DynamicList<namedTouch> touches(savedTouches_);
     savedTouches_.clear();
-    forAll(walls.touches(), k)
+    const touchList all(walls.together());
+    forAll(all.accepted, k)
     {
-        const wallTouch& t = walls.touches()[k];
+        const wallTouch& t = all.accepted[k];
         namedTouch n;
         n.i = nameOf(t.sphere);
         n.memory = t;
-        if (walls.touchesRolled().size())
+        if (all.rolls)
         {
-            n.rolled = walls.touchesRolled()[k];
+            n.rolled = all.rolled[k];
         }
         touches.append(n);
     }

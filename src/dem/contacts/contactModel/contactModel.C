@@ -143,6 +143,66 @@ void Foam::dem::contactModel::giveWalls
 }
 
 
+void Foam::dem::contactModel::giveBodies
+(
+    packedBodies& state,
+    sweepData& data
+) const
+{
+    packedBodies::records& r = state.spheres();
+    data.xv = &r.xv[0].first.x;
+    data.w = &r.w[0].x;
+    data.ft = &r.ft[0].first.x;
+    data.material = state.material();
+    data.fetches = state.nSpheres() > fetchedFrom;
+    data.pairs = materials_.pairs().cdata();
+    data.nMaterials = materials_.names().size();
+    data.laws = &laws_;
+}
+
+
+void Foam::dem::contactModel::hold
+(
+    packedBodies& state,
+    verletList& list,
+    wallSet& walls
+)
+{
+    state.asleep().clear(state.spheres());
+    walls.findAsleep(state);
+
+    // Nothing moves, so that nothing slips and no dashpot acts. What the
+    // contacts remember stays to the last bit, however often this is done
+    sweepData data;
+    giveBodies(state, data);
+    data.dt = 0;
+    data.ahead = 0;
+    contactBlocks& pairsAsleep = list.asleep().blocks();
+    pairsAsleep.give(data, true);
+    data.shift = list.shiftData();
+    touchList& asleep = walls.asleep();
+    const DynamicList<wallTouch> memory(asleep.trial);
+    const DynamicList<wallRolled> rolled(asleep.trialRolled);
+    giveWalls(walls, asleep.padded(nLanes()), data);
+    data.wallRolled = asleep.trialAngles();
+    if (laws_.shares)
+    {
+        shares_.find(state, list, pairsAsleep, asleep.trial, nLanes());
+        data.pairShare = shares_.ofPairs();
+        data.wallShare = shares_.ofWalls();
+    }
+
+    sweepExtremes pairs, atWalls;
+    set_->sweep(laws_, data, pairs, atWalls);
+    asleep.trial = memory;
+    asleep.trialRolled = rolled;
+    asleep.accept();
+    nHeld_ = pairs.nTouching + atWalls.nTouching;
+    heldFrequency10_ = max(pairs.frequency10, atWalls.frequency10);
+    state.asleep().hold(state.spheres());
+}
+
+
 void Foam::dem::contactModel::attract
 (
     sweepData& data,
@@ -207,18 +267,18 @@ Foam::dem::contactSummary Foam::dem::contactModel::addForces
     {
         walls.narrow(state, list.allowedNear());
     }
+    if (state.asleep().any())
+    {
+        if (state.asleep().due())
+        {
+            hold(state, list, walls);
+        }
+        state.asleep().meet(list.asleep().border(), state.spheres());
+    }
     walls.findTouches(state);
 
     sweepData data;
-    packedBodies::records& r = state.spheres();
-    data.xv = &r.xv[0].first.x;
-    data.w = &r.w[0].x;
-    data.ft = &r.ft[0].first.x;
-    data.material = state.material();
-    data.fetches = state.nSpheres() > fetchedFrom;
-    data.pairs = materials_.pairs().cdata();
-    data.nMaterials = materials_.names().size();
-    data.laws = &laws_;
+    giveBodies(state, data);
     data.dt = dt;
     data.ahead = between > 0 ? 0.5*dt/between : 0;
     list.give(data, onTrial);
@@ -226,7 +286,7 @@ Foam::dem::contactSummary Foam::dem::contactModel::addForces
     data.wallRolled = walls.rolled();
     if (laws_.shares)
     {
-        shares_.find(state, list, walls.trial(), nLanes());
+        shares_.find(state, list, list.blocks(), walls.trial(), nLanes());
         data.pairShare = shares_.ofPairs();
         data.wallShare = shares_.ofWalls();
     }
@@ -237,6 +297,11 @@ Foam::dem::contactSummary Foam::dem::contactModel::addForces
     contactSummary sum;
     sum.nPairs = pairs.nTouching;
     sum.nWalls = atWalls.nTouching;
+    if (state.asleep().any())
+    {
+        sum.nAsleep = nHeld_;
+        sum.asleepFrequency10 = heldFrequency10_;
+    }
     sum.wallSpeed = walls.speed();
 
     const auto bodyAt = [&](const label sphere)

@@ -47,15 +47,16 @@ void Foam::dem::contactShares::find
 (
     const packedBodies& state,
     const verletList& list,
+    const contactBlocks& blocks,
     const UList<wallTouch>& atWalls,
     const label nLanes
 )
 {
-    ofPairs_.assign(list.nLanes(), 1);
+    ofPairs_.assign(blocks.nLanes(), 1);
     contacts_.clear();
-    for (label lane = 0; lane < list.nLanes(); ++lane)
+    for (label lane = 0; lane < blocks.nLanes(); ++lane)
     {
-        const verletList::spherePair p = list.pairInLane(lane);
+        const verletList::spherePair p = blocks.pairInLane(lane);
         if (p.i >= state.nSpheres())
         {
             // Fills up a block

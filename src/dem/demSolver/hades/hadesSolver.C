@@ -97,9 +97,17 @@ void Foam::dem::hadesSolver::begin(const scalar t, const scalar t1)
         t1 - t
     );
     lastDt_ = 0;
+    if (sleepers_.valid())
+    {
+        beginSleep();
+    }
     computeForces(t, 0, false);
     list_.accept();
     walls_.accept();
+    if (sleepers_.valid())
+    {
+        sleep(t, 0);
+    }
 }
 
 
@@ -126,6 +134,7 @@ void Foam::dem::hadesSolver::computeForces
         walls_.build(packed_, list_.allowed(), 0.5*list_.skin());
         neighbourTime_ += secondsSince(start);
         ++nListsTimed_;
+        packed_.asleep().setDue();
     }
 
     // To read the clock each time would cost as much as a few contacts
@@ -315,6 +324,7 @@ Foam::dem::hadesSolver::hadesSolver(const demInput& input)
     readSinks();
     checkIntegrator(laws);
     checkShapes(laws);
+    readSleeping();
     if (!input.restart)
     {
         relax();
@@ -350,7 +360,11 @@ void Foam::dem::hadesSolver::advance(const scalar t0, const scalar t1)
         crossSeams(0.5*list_.skin());
 
         stepChoice step;
-        const scalar dt = nextStep(t, t1, step);
+        scalar dt = nextStep(t, t1, step);
+        if (sleepers_.valid() && wakeForWalls(dt))
+        {
+            dt = nextStep(t, t1, step);
+        }
         if (report_.nSteps + report_.nRejected >= control_->maxSteps())
         {
             giveUp(t, t1 - t0, dt, step);
@@ -367,6 +381,10 @@ void Foam::dem::hadesSolver::advance(const scalar t0, const scalar t1)
         {
             impulse_->step(packed_, dt);
         }
+        if (sleepers_.valid())
+        {
+            sleep(t, dt);
+        }
 
         ++report_.nSteps;
         ++report_.limits(step.limit);
@@ -381,6 +399,7 @@ void Foam::dem::hadesSolver::advance(const scalar t0, const scalar t1)
     checkFinite(t1);
     report_.overlap = group_.max(report_.overlap);
     report_.nContacts = nContacts();
+    report_.nAsleep = sleepers_.valid() ? sleepers_->nAsleep() : -1;
 }
 
 
@@ -435,6 +454,11 @@ void Foam::dem::hadesSolver::remove(const boolList& marked)
     state_.remove(marked);
     list_.renumber(newIndex);
     walls_.renumber(newIndex);
+    if (sleepers_.valid())
+    {
+        sleepers_->setSize(marked.size());
+        sleepers_->remove(marked);
+    }
 }
 
 

@@ -28,6 +28,10 @@ Foam::string Foam::dem::hadesSolver::needsAll(const demInput& input)
     {
         return "start relax moves them together";
     }
+    if (dict.found("sleeping"))
+    {
+        return "who sleeps must know all that it rests on";
+    }
     if (dict.subOrEmptyDict("output").found("contactNetwork"))
     {
         return "the contact network is one of all";
@@ -146,7 +150,7 @@ Foam::label Foam::dem::hadesSolver::nContacts() const
 {
     if (!exchange_.valid())
     {
-        return summary_.nPairs + summary_.nWalls;
+        return summary_.nPairs + summary_.nWalls + summary_.nAsleep;
     }
 
     // A pair with a copy is on two ranks: the owner of the first has it

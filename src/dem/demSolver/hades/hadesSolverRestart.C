@@ -27,9 +27,10 @@ Foam::dem::contactHistory Foam::dem::hadesSolver::history() const
 {
     contactHistory history;
     history.pairs = list_.histories();
-    history.walls = walls_.touches();
+    const touchList touches(walls_.together());
+    history.walls = touches.accepted;
     history.rolls = materials_.laws().rollsBack();
-    history.wallsRolled = walls_.touchesRolled();
+    history.wallsRolled = touches.rolled;
     history.bridges = materials_.laws().coheres("capillary");
     history.pairsBridged = list_.bridges();
     history.wallsBridged = walls_.bridges();
@@ -82,6 +83,13 @@ void Foam::dem::hadesSolver::writeCounters(dictionary& dict) const
     dictionary step;
     control_->writeState(step);
     dict.add("stepControl", step);
+
+    if (sleepers_.valid())
+    {
+        dictionary asleep;
+        sleepers_->write(asleep);
+        dict.add("sleeping", asleep);
+    }
 }
 
 
@@ -112,6 +120,10 @@ void Foam::dem::hadesSolver::readCounters(const dictionary& dict)
         }
     }
     control_->readState(dict.subDict("stepControl"));
+    if (sleepers_.valid())
+    {
+        sleepers_->read(dict.subOrEmptyDict("sleeping"), state_.size());
+    }
 }
 
 

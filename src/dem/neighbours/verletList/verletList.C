@@ -30,6 +30,11 @@ const Foam::scalar slowest = 0.2;
 void Foam::dem::verletList::setNear(const packedBodies& state)
 {
     near_.start(state, 0.5*nearSkin_, slowest, 0.25);
+    if (asleep_.due())
+    {
+        asleep_.sort(blocks_, state.nSpheres());
+    }
+    asleep_.clearBorder();
     gather(state, 0, blocks_);
     if (reaches())
     {
@@ -63,9 +68,15 @@ void Foam::dem::verletList::gather
     };
     setTouch();
     const scalar* allowed = near_.allowed.cdata();
+    const bool sleeping = asleep_.any();
     nearPairs_.clear();
     for (const spherePair& p : pairs_)
     {
+        if (sleeping && asleep_.leavesOut(p))
+        {
+            continue;
+        }
+
         // Each pair that touches is one of them
         if (next < touching.size() && !sooner(p, touch))
         {
@@ -190,7 +201,7 @@ void Foam::dem::verletList::setMeets(const bool meets)
 }
 
 
-void Foam::dem::verletList::placement::start
+void Foam::dem::placement::start
 (
     const packedBodies& state,
     const scalar distance,
@@ -219,7 +230,7 @@ void Foam::dem::verletList::placement::start
 }
 
 
-bool Foam::dem::verletList::placement::over(const packedBodies& state)
+bool Foam::dem::placement::over(const packedBodies& state)
 {
     if (moved > left)
     {
@@ -263,6 +274,7 @@ void Foam::dem::verletList::build(const packedBodies& state)
     if (!valid_)
     {
         takeKept(kept_, blocks_, n);
+        asleep_.clear();
         if (reaches())
         {
             takeKept(keptBridges_, reached_, n);
@@ -280,7 +292,8 @@ void Foam::dem::verletList::build(const packedBodies& state)
     adaptFar(n);
     far_.start(state, 0.5*fastSkin_, skin_/max(fastSkin_, VSMALL), 0.02);
     search(state);
-    for (contactBlocks* blocks : {&blocks_, &reached_})
+    asleep_.setDue();
+    for (contactBlocks* blocks : {&blocks_, &asleep_.blocks(), &reached_})
     {
         for (const label lane : blocks->touching())
         {
@@ -303,11 +316,14 @@ void Foam::dem::verletList::build(const packedBodies& state)
 
 bool Foam::dem::verletList::refresh(const packedBodies& state)
 {
-    const bool outdated = near_.over(state) || nearDue_;
+    const bool outdated = near_.over(state) || nearDue_ || asleep_.due();
     nearDue_ = false;
     if (outdated)
     {
-        adapt();
+        if (!asleep_.due())
+        {
+            adapt();
+        }
         setNear(state);
     }
     ++nSweeps_;
@@ -401,6 +417,7 @@ void Foam::dem::verletList::setHistories
 {
     kept_ = touching;
     keptBridges_ = bridged;
+    asleep_.clear();
     valid_ = false;
 }
 

@@ -90,7 +90,7 @@ Foam::dem::stepChoice Foam::dem::hadesStep::byDisplacement
 
     for (label b = 0; b < state.size(); ++b)
     {
-        if (!state.owns(b))
+        if (!state.owns(b) || state.asleep().has(b))
         {
             continue;
         }

@@ -99,51 +99,15 @@ inline Foam::label Foam::dem::wallSet::select
 }
 
 
-inline void Foam::dem::wallSet::bequeath
-(
-    touchList& list,
-    const label oldI,
-    const label begin,
-    const label end
-)
-{
-    const wallTouch& old = list.accepted[oldI];
-    label heir = -1;
-    scalar best = 0.8;
-    for (label t = begin; t < end; ++t)
-    {
-        const scalar cosine = list.trial[t].n & old.n;
-        if (cosine > best)
-        {
-            best = cosine;
-            heir = t;
-        }
-    }
-
-    // An heir of two keeps what the nearer one left
-    if (heir >= 0 && best > list.trial[heir].likeness)
-    {
-        wallTouch& t = list.trial[heir];
-        t.likeness = best;
-        t.xi = old.xi;
-        std::copy(old.rate, old.rate + 4, t.rate);
-        if (list.rolls)
-        {
-            list.trialRolled[heir] = list.rolled[oldI];
-        }
-    }
-}
-
-
 void Foam::dem::wallSet::find
 (
     const packedBodies& state,
+    const UList<neighbour>& near,
     const bool reaching,
     touchList& list
 ) const
 {
     // Contacts are made where they stay, and the room for them is there
-    const DynamicList<neighbour>& near = narrowed_ ? near_ : all_;
     list.trial.setSize(near.size());
 
     label end = 0;
@@ -181,7 +145,7 @@ void Foam::dem::wallSet::find
             // What was within reach only has nothing to leave
             if (!reaching || before[old].likeness > 0)
             {
-                bequeath(list, old, begin, end);
+                list.bequeath(old, begin, end);
             }
         }
     }
@@ -189,76 +153,15 @@ void Foam::dem::wallSet::find
 }
 
 
-void Foam::dem::wallSet::pad
-(
-    touchList& list,
-    const label n,
-    const scalar overlap
-)
-{
-    DynamicList<wallTouch>& trial = list.trial;
-    const label end = trial.size();
-    const label last = (end + n - 1)/n*n;
-    trial.setSize(max(last, label(1)));
-
-    // They have a sphere and a wall that exist
-    wallTouch nothing = {};
-    nothing.overlap = overlap;
-    if (end)
-    {
-        nothing.sphere = trial[0].sphere;
-        nothing.wallI = trial[0].wallI;
-    }
-    for (label k = end; k < last; ++k)
-    {
-        trial[k] = nothing;
-    }
-    trial.setSize(end);
-    if (list.rolls)
-    {
-        list.trialRolled.setSize(end);
-        list.trialRolled.setSize(max(last, label(1)), wallRolled());
-        list.trialRolled.setSize(end);
-    }
-}
-
-
-void Foam::dem::wallSet::touchList::accept()
-{
-    accepted.swap(trial);
-    rolled.swap(trialRolled);
-}
-
-
-void Foam::dem::wallSet::touchList::renumber(const labelUList& newIndex)
-{
-    label n = 0;
-    forAll(accepted, k)
-    {
-        const label s = newIndex[accepted[k].sphere];
-        if (s >= 0)
-        {
-            if (rolls)
-            {
-                rolled[n] = rolled[k];
-            }
-            accepted[n] = accepted[k];
-            accepted[n++].sphere = s;
-        }
-    }
-    accepted.setSize(n);
-    rolled.setSize(rolls ? n : 0);
-}
-
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::dem::wallSet::findTouches(const packedBodies& state)
 {
-    find(state, false, contacts_);
+    const UList<neighbour>& near = narrowed_ ? near_ : all_;
+    find(state, near, false, contacts_);
     if (reaches())
     {
-        find(state, true, reached_);
+        find(state, near, true, reached_);
     }
 }
 
@@ -350,6 +253,7 @@ const Foam::dem::wallTouch* Foam::dem::wallSet::inTheWay
 void Foam::dem::wallSet::renumber(const labelUList& newIndex)
 {
     contacts_.renumber(newIndex);
+    asleep_.renumber(newIndex);
     reached_.renumber(newIndex);
     all_.clear();
     narrowed_ = false;
@@ -379,6 +283,8 @@ void Foam::dem::wallSet::setTouches
 {
     contacts_.accepted = touches;
     contacts_.rolled = contacts_.rolls ? rolled : UList<wallRolled>();
+    asleep_.accepted.clear();
+    asleep_.rolled.clear();
     reached_.accepted = bridged;
     for (wallTouch& t : reached_.accepted)
     {

@@ -92,6 +92,10 @@ void Foam::dem::wallSet::narrow
     vector n;
     for (const neighbour& k : all_)
     {
+        if (sleeps(k.sphere))
+        {
+            continue;
+        }
         point x = state.centre(k.sphere);
         if (k.image != periodicity::original)
         {
@@ -105,6 +109,60 @@ void Foam::dem::wallSet::narrow
             near_.append(k);
         }
     }
+}
+
+
+void Foam::dem::wallSet::setAsleep(const UList<bool>& asleep)
+{
+    spheresAsleep_ = asleep;
+    narrowed_ = false;
+
+    // Some may have woken up, others fallen asleep
+    contacts_.add(asleep_);
+    asleep_.accepted = contacts_.accepted;
+    asleep_.rolled = contacts_.rolled;
+    contacts_.keep(spheresAsleep_, false);
+    asleep_.keep(spheresAsleep_, true);
+    for (wallTouch& t : asleep_.accepted)
+    {
+        // They stand still
+        std::fill_n(t.rate, 4, 0);
+    }
+}
+
+
+void Foam::dem::wallSet::findAsleep(const packedBodies& state)
+{
+    DynamicList<neighbour> near;
+    for (const neighbour& k : all_)
+    {
+        if (sleeps(k.sphere))
+        {
+            near.append(k);
+        }
+    }
+    find(state, near, false, asleep_);
+}
+
+
+void Foam::dem::wallSet::markMoved(UList<bool>& spheres) const
+{
+    for (const neighbour& k : all_)
+    {
+        const wall& w = walls_[k.wallI];
+        if (w.moving() && w.speed() > 0)
+        {
+            spheres[k.sphere] = true;
+        }
+    }
+}
+
+
+Foam::dem::touchList Foam::dem::wallSet::together() const
+{
+    touchList both(contacts_);
+    both.add(asleep_);
+    return both;
 }
 
 

@@ -1,0 +1,91 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "asleepPairs.H"
+
+#include <algorithm>
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dem::asleepPairs::set(const UList<bool>& asleep)
+{
+    asleep_ = asleep;
+    due_ = true;
+}
+
+
+void Foam::dem::asleepPairs::sort
+(
+    contactBlocks& awake,
+    const label nSpheres
+)
+{
+    due_ = false;
+    const List<contactBlocks::pairHistory> all(with(awake.histories()));
+    DynamicList<contactBlocks::pairHistory> inStep, here;
+    for (const contactBlocks::pairHistory& h : all)
+    {
+        const bool both =
+            any() && asleep_[h.pair.i] && asleep_[h.pair.j];
+        (both ? here : inStep).append(h);
+        if (both)
+        {
+            // They stand still
+            std::fill_n(here.last().rate, 4, 0);
+        }
+    }
+    awake.set(inStep, nSpheres);
+    blocks_.set(here, nSpheres);
+}
+
+
+void Foam::dem::asleepPairs::clearBorder()
+{
+    border_.clear();
+    atBorder_.assign(asleep_.size(), 0);
+}
+
+
+Foam::List<Foam::dem::contactBlocks::pairHistory>
+Foam::dem::asleepPairs::with
+(
+    List<contactBlocks::pairHistory>&& awake
+) const
+{
+    const List<contactBlocks::pairHistory> here(blocks_.histories());
+    if (here.empty())
+    {
+        return std::move(awake);
+    }
+    List<contactBlocks::pairHistory> all(awake.size() + here.size());
+    std::merge
+    (
+        awake.begin(),
+        awake.end(),
+        here.begin(),
+        here.end(),
+        all.begin(),
+        [](const auto& a, const auto& b)
+        {
+            return contactBlocks::before(a.pair, b.pair);
+        }
+    );
+    return all;
+}
+
+
+void Foam::dem::asleepPairs::clear()
+{
+    blocks_.set(List<contactBlocks::pairHistory>(), 0);
+    due_ = any();
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,267 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "sleepers.H"
+#include "allowedKeys.H"
+#include "checkedEntry.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool Foam::dem::sleepers::wakeMarked
+(
+    const packedBodies& state,
+    const UList<bool>& spheres
+)
+{
+    bool any = false;
+    forAll(spheres, s)
+    {
+        if (spheres[s])
+        {
+            any = wake(state.bodyOf(s)) || any;
+        }
+    }
+    return any;
+}
+
+
+Foam::boolList Foam::dem::sleepers::ready(const packedBodies& state) const
+{
+    boolList ready(rest_.size());
+    forAll(ready, b)
+    {
+        ready[b] =
+            rest_[b] == nLooks_ && state.unrest(b) < 0.5*acceleration_;
+    }
+    return ready;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::dem::sleepers::sleepers(const dictionary& dict, const scalar g)
+{
+    checkKeys(dict, {"speed", "time", "acceleration"});
+    speed_ = getPositive(dict, "speed");
+    time_ = getPositive(dict, "time");
+    if (!(g > 0) && !dict.found("acceleration"))
+    {
+        badEntry
+        (
+            dict,
+            "acceleration",
+            "must be given where there is no gravity of which to take a part"
+        );
+    }
+    acceleration_ = getPositive(dict, "acceleration", 0.05*g);
+    if (g > 0 && time_*g <= speed_)
+    {
+        badEntry
+        (
+            dict,
+            "time",
+            "is so short that a body that falls from rest has not come to the"
+            " speed by then: it would fall asleep in the air"
+        );
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::boolList Foam::dem::sleepers::asleep() const
+{
+    boolList all(nAsleep_ ? rest_.size() : 0);
+    forAll(all, b)
+    {
+        all[b] = isAsleep(b);
+    }
+    return all;
+}
+
+
+void Foam::dem::sleepers::remove(const UList<bool>& marked)
+{
+    label n = 0;
+    forAll(rest_, b)
+    {
+        if (!marked[b])
+        {
+            rest_[n++] = rest_[b];
+        }
+        else if (isAsleep(b))
+        {
+            --nAsleep_;
+        }
+    }
+    rest_.setSize(n);
+}
+
+
+bool Foam::dem::sleepers::wake(const label b)
+{
+    const bool was = isAsleep(b);
+    nAsleep_ -= was;
+    rest_[b] = was ? 0 : rest_[b];
+    return was;
+}
+
+
+void Foam::dem::sleepers::wakeAll()
+{
+    forAll(rest_, b)
+    {
+        wake(b);
+    }
+}
+
+
+bool Foam::dem::sleepers::wakeMoving(const bodies& state)
+{
+    bool any = false;
+    forAll(rest_, b)
+    {
+        const scalar turning =
+            mag(state.omega[b])*state.shapeOf(b).boundingRadius();
+        if (isAsleep(b) && mag(state.v[b]) + turning > speed_)
+        {
+            any = wake(b) || any;
+        }
+    }
+    return any;
+}
+
+
+bool Foam::dem::sleepers::wake
+(
+    const packedBodies& state,
+    const wallSet& walls,
+    const bool all
+)
+{
+    bool any = false;
+    if (!all)
+    {
+        for (const label s : state.asleep().border())
+        {
+            const label b = state.bodyOf(s);
+            if (isAsleep(b) && state.unrest(b) > acceleration_)
+            {
+                any = wake(b) || any;
+            }
+        }
+        return any;
+    }
+
+    forAll(rest_, b)
+    {
+        if (isAsleep(b) && state.unrest(b) > acceleration_)
+        {
+            any = wake(b) || any;
+        }
+    }
+    if (walls.speed() > 0)
+    {
+        boolList moved(state.nSpheres(), false);
+        walls.markMoved(moved);
+        any = wakeMarked(state, moved) || any;
+    }
+    return any;
+}
+
+
+bool Foam::dem::sleepers::looks(const scalar t, const scalar dt) const
+{
+    const scalar perLook = nLooks_/time_;
+    return std::floor(t*perLook) > std::floor((t - dt)*perLook);
+}
+
+
+bool Foam::dem::sleepers::look
+(
+    const packedBodies& state,
+    const verletList& list,
+    const wallSet& walls
+)
+{
+    bool any = false;
+    forAll(rest_, b)
+    {
+        if (!isAsleep(b))
+        {
+            const bool slow =
+                mag(state.velocity(b)) + state.turning(b) < speed_;
+            rest_[b] = slow ? min(rest_[b] + 1, nLooks_) : 0;
+            any = any || rest_[b] == nLooks_;
+        }
+    }
+    if (!any)
+    {
+        return false;
+    }
+
+    boolList falls(ready(state));
+    const boolList quiet(falls);
+    const auto unrests = [&](const label b)
+    {
+        return !quiet[b] && !isAsleep(b);
+    };
+    for (const contactBlocks::pairHistory& h : list.blocks().histories())
+    {
+        const label a = state.bodyOf(h.pair.i), b = state.bodyOf(h.pair.j);
+        falls[a] = falls[a] && !unrests(b);
+        falls[b] = falls[b] && !unrests(a);
+    }
+    if (walls.speed() > 0)
+    {
+        boolList moved(state.nSpheres(), false);
+        walls.markMoved(moved);
+        forAll(moved, s)
+        {
+            falls[state.bodyOf(s)] = falls[state.bodyOf(s)] && !moved[s];
+        }
+    }
+
+    any = false;
+    forAll(falls, b)
+    {
+        if (falls[b])
+        {
+            rest_[b] = nLooks_ + 1;
+            ++nAsleep_;
+            any = true;
+        }
+    }
+    return any;
+}
+
+
+void Foam::dem::sleepers::write(dictionary& dict) const
+{
+    dict.add("looksAtRest", labelList(rest_));
+}
+
+
+void Foam::dem::sleepers::read(const dictionary& dict, const label nBodies)
+{
+    // None of a case that did not sleep before
+    labelList saved;
+    dict.readIfPresent("looksAtRest", saved);
+    saved.setSize(nBodies, 0);
+    rest_ = saved;
+    nAsleep_ = 0;
+    forAll(rest_, b)
+    {
+        nAsleep_ += isAsleep(b);
+    }
+}
+
+
+// ************************************************************************* //
