@@ -238,6 +238,29 @@ TEST(dragLaws, asTheirSources)
             all
         )
     );
+    worst = std::max
+    (
+        worst,
+        worstOff
+        (
+            *law("syamlalOBrien"),
+            [](const scalar u, const scalar a)
+            {
+                const scalar Re = u*d/nu;
+                const scalar A = std::pow(a, 4.14);
+                const scalar B =
+                    a <= 0.85 ? 0.8*std::pow(a, 1.28) : std::pow(a, 2.65);
+                const scalar c = 0.06*Re;
+                const scalar Vr =
+                    (A - c + std::sqrt(c*c + 2*c*(2*B - A) + A*A))/2;
+                const scalar Cd = std::pow(0.63 + 4.8/std::sqrt(Re/Vr), 2);
+                const scalar beta =
+                    0.75*Cd*a*(1 - a)*rho*u/(Vr*Vr*d);
+                return beta*V*u/(1 - a);
+            },
+            all
+        )
+    );
     figure("dragLaws_sources", worst, -noBar, 1e-12, "-",
            "references 14, force on a sphere as each source writes it");
 }
@@ -300,6 +323,43 @@ TEST(dragLaws, creepingArrays)
 
 // Every law at rest and far outside of its range: a finite number, above 0 but
 // for Ergun's, which has no drag without a bed at rest
+// Several spheres at once, as a law may have its own way for that
+TEST(dragLaws, several)
+{
+    scalar worst = 0;
+    label different = 0;
+    for (const word& name : dragLaw::wordConstructorTablePtr_->toc())
+    {
+        const auto l = law(name);
+        const scalar width = 0.05;
+        DynamicList<scalar> Re, alpha;
+        for (const scalar a : {0.36, 0.5, 0.79, 0.81, 0.95, 1.0})
+        {
+            for (scalar r = 1e-3; r < 5e3; r *= 3)
+            {
+                Re.append(r);
+                alpha.append(a);
+            }
+        }
+        List<dragLaw::triple> f(Re.size());
+        l->factors(width, Re, alpha, f);
+        forAll(f, i)
+        {
+            const scalar one[] = {1, 1 - width, 1 + width};
+            for (label k = 0; k < 3; ++k)
+            {
+                const scalar expected = l->factor(one[k]*Re[i], alpha[i]);
+                worst = max(worst, mag(f[i][k]/expected - 1));
+            }
+            different += f[i][1] != f[i][2];
+        }
+    }
+    figure("dragLaws_several", worst, -noBar, 1e-12, "of f",
+        "one after the other, 12 laws");
+    figure("dragLaws_severalDiffer", different, 100, noBar, "spheres", "own");
+}
+
+
 TEST(dragLaws, finite)
 {
     label bad = 0;
@@ -318,7 +378,7 @@ TEST(dragLaws, finite)
         const dragLaw::limits r(l->range());
         bad += !(r.Re > 0 && r.least < r.largest && r.largest <= 1);
     }
-    figure("dragLaws_finite", bad, 0, 0, "values", "11 laws");
+    figure("dragLaws_finite", bad, 0, 0, "values", "12 laws");
 }
 
 

@@ -20,10 +20,16 @@ void Foam::coupling::bodyCells::look
     const label near
 )
 {
-    const label c = bins_.find(x, near);
+    // One that has moved a little is still in its cell as a rule
+    label c = near;
+    scalar depth = bins_.depth(x, c);
+    if (!(depth > 0))
+    {
+        c = bins_.find(x, near);
+        depth = c != near ? bins_.depth(x, c) : -1;
+    }
     cell_[b] = c;
     x_[b] = x;
-    const scalar depth = c >= 0 ? bins_.depth(x, c) : -1;
     safe_[b] = depth > 0 ? sqr(depth) : -1;
 }
 

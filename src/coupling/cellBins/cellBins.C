@@ -132,6 +132,31 @@ Foam::scalar Foam::coupling::cellBins::outside
 }
 
 
+Foam::scalar Foam::coupling::cellBins::depth
+(
+    const point& p,
+    const label cell
+) const
+{
+    if (cell < 0 || cell >= mesh_.nCells())
+    {
+        return -1;
+    }
+    scalar least = GREAT;
+    for (const label f : mesh_.cells()[cell])
+    {
+        const vector& S = mesh_.faceAreas()[f];
+        const scalar d = (p - mesh_.faceCentres()[f]) & S;
+        if ((d > 0) == (mesh_.faceOwner()[f] == cell))
+        {
+            return -1;
+        }
+        least = min(least, d*d/max(magSqr(S), VSMALL));
+    }
+    return std::sqrt(least) - 2*roundOff*radius_[cell];
+}
+
+
 bool Foam::coupling::cellBins::wellInside
 (
     const point& p,

@@ -35,4 +35,19 @@ Foam::scalar Foam::coupling::ergun::factor
 }
 
 
+void Foam::coupling::ergun::factors
+(
+    const scalar width,
+    const UList<scalar>& Re,
+    const UList<scalar>& voidFraction,
+    UList<triple>& f
+) const
+{
+    forAll(f, i)
+    {
+        f[i] = near(width, Re[i], voidFraction[i]);
+    }
+}
+
+
 // ************************************************************************* //

@@ -76,8 +76,6 @@ void Foam::coupling::fluidSampler::interpolate
 (
     const GeometricField<Type, fvPatchField, volMesh>& field,
     const UList<point>& points,
-    const labelUList& mine,
-    const labelUList& cells,
     const Setter& set
 ) const
 {
@@ -86,14 +84,14 @@ void Foam::coupling::fluidSampler::interpolate
         weights_.interpolate
         (
             field,
-            [&](const label k, const Type& value) { set(mine[k], value); }
+            [&](const label k, const Type& value) { set(mine_[k], value); }
         );
         return;
     }
     const auto at = Foam::interpolation<Type>::New(scheme_, field);
-    forAll(mine, k)
+    forAll(mine_, k)
     {
-        set(mine[k], at->interpolate(points[mine[k]], cells[k]));
+        set(mine_[k], at->interpolate(points[mine_[k]], cells_[k]));
     }
 }
 
@@ -101,9 +99,7 @@ void Foam::coupling::fluidSampler::interpolate
 void Foam::coupling::fluidSampler::sampleDerived
 (
     const volVectorField& U,
-    const UList<point>& points,
-    const labelUList& mine,
-    const labelUList& cells
+    const UList<point>& points
 )
 {
     if (needs(fluidAtPoint::stressDivergence))
@@ -112,8 +108,6 @@ void Foam::coupling::fluidSampler::sampleDerived
         (
             laplacian(U)(),
             points,
-            mine,
-            cells,
             [&](const label b, const vector& value)
             {
                 derived_[b].divTau = fluid_[b].rho*fluid_[b].nu*value;
@@ -135,8 +129,6 @@ void Foam::coupling::fluidSampler::sampleDerived
         (
             gradU(),
             points,
-            mine,
-            cells,
             [&](const label b, const tensor& value)
             {
                 derived_[b].curlU = 2*(*skew(value));
@@ -155,8 +147,6 @@ void Foam::coupling::fluidSampler::sampleDerived
         (
             ((U - U.oldTime())/dt + (U & gradU()))(),
             points,
-            mine,
-            cells,
             [&](const label b, const vector& value)
             {
                 derived_[b].DuDt = value;
@@ -166,12 +156,7 @@ void Foam::coupling::fluidSampler::sampleDerived
 }
 
 
-void Foam::coupling::fluidSampler::samplePressure
-(
-    const UList<point>& points,
-    const labelUList& mine,
-    const labelUList& cells
-)
+void Foam::coupling::fluidSampler::samplePressure(const UList<point>& points)
 {
     const volScalarField& p = lookup<volScalarField>("p").oldTime();
     const bool kinematic = p.dimensions() != dimPressure;
@@ -180,8 +165,6 @@ void Foam::coupling::fluidSampler::samplePressure
     (
         gradient(p)(),
         points,
-        mine,
-        cells,
         [&](const label b, const vector& value)
         {
             const scalar rho = fluid_[b].rho;
@@ -195,37 +178,28 @@ void Foam::coupling::fluidSampler::samplePressure
 }
 
 
-void Foam::coupling::fluidSampler::sampleTurbulence
-(
-    const labelUList& mine,
-    const labelUList& cells
-)
+void Foam::coupling::fluidSampler::sampleTurbulence()
 {
     const auto& k = lookup<volScalarField>("k").oldTime();
     const bool omega = !mesh_.foundObject<volScalarField>("epsilon");
     const auto& rate =
         lookup<volScalarField>(omega ? "omega" : "epsilon").oldTime();
-    forAll(mine, i)
+    forAll(mine_, i)
     {
-        derivedFluid& f = derived_[mine[i]];
-        f.k = k[cells[i]];
-        f.epsilon = omega ? 0.09*f.k*rate[cells[i]] : rate[cells[i]];
+        derivedFluid& f = derived_[mine_[i]];
+        f.k = k[cells_[i]];
+        f.epsilon = omega ? 0.09*f.k*rate[cells_[i]] : rate[cells_[i]];
     }
 }
 
 
-void Foam::coupling::fluidSampler::sampleCells
-(
-    const UList<point>& points,
-    const labelUList& mine,
-    const labelUList& cells
-)
+void Foam::coupling::fluidSampler::sampleCells(const UList<point>& points)
 {
-    forAll(mine, i)
+    forAll(mine_, i)
     {
-        derivedFluid& f = derived_[mine[i]];
-        f.cellSize = std::cbrt(mesh_.V()[cells[i]]);
-        f.toCentre = mesh_.C()[cells[i]] - points[mine[i]];
+        derivedFluid& f = derived_[mine_[i]];
+        f.cellSize = std::cbrt(mesh_.V()[cells_[i]]);
+        f.toCentre = mesh_.C()[cells_[i]] - points[mine_[i]];
         f.ownShare = 1;
         if (scheme_ == "cell")
         {
@@ -244,31 +218,127 @@ void Foam::coupling::fluidSampler::sampleCells
 }
 
 
-Foam::labelList Foam::coupling::fluidSampler::ownPoints
-(
-    const labelUList& cellOf
-) const
+void Foam::coupling::fluidSampler::findOwn(const labelUList& cellOf)
 {
     // On faces between ranks the cell with the largest claim has a point
-    List<scalar> claim(cellOf.size(), -GREAT);
-    forAll(cellOf, b)
+    List<scalar> own;
+    if (!Pstream::parRun() && !cellOf.found(-1))
     {
-        if (cellOf[b] >= 0)
+        if (mine_.size() != cellOf.size())
         {
-            claim[b] = cellBins::claim(mesh_.cellCentres()[cellOf[b]]);
+            mine_ = identity(cellOf.size());
+        }
+        cells_ = cellOf;
+        return;
+    }
+    if (Pstream::parRun())
+    {
+        own.setSize(cellOf.size(), -GREAT);
+        forAll(cellOf, b)
+        {
+            if (cellOf[b] >= 0)
+            {
+                own[b] = cellBins::claim(mesh_.cellCentres()[cellOf[b]]);
+            }
         }
     }
-    const List<scalar> own(Pstream::parRun() ? claim : List<scalar>());
+    List<scalar> claim(own);
     dem::maxOverRanks(claim);
-    DynamicList<label> mine(cellOf.size());
+
+    mine_.clear();
+    cells_.clear();
+    mine_.reserve(cellOf.size());
+    cells_.reserve(cellOf.size());
     forAll(cellOf, b)
     {
         if (cellOf[b] >= 0 && (own.empty() || own[b] == claim[b]))
         {
-            mine.append(b);
+            mine_.append(b);
+            cells_.append(cellOf[b]);
         }
     }
-    return labelList(std::move(mine));
+}
+
+
+void Foam::coupling::fluidSampler::sampleLinear
+(
+    const UList<point>& points,
+    const volVectorField& U,
+    const volScalarField* voidFraction
+)
+{
+    // All at once, and weights that are kept only if there are other fields
+    const pointMeans& means = pointMeans::New(mesh_);
+    const auto pointU(means.at(U));
+    const vectorField& uOfCells = U.primitiveField();
+    const vectorField& uOfPoints = pointU().primitiveField();
+    tmp<pointScalarField> pointAlpha;
+    if (voidFraction)
+    {
+        pointAlpha = means.at(*voidFraction);
+    }
+    const scalarField& ofCells =
+        voidFraction ? voidFraction->primitiveField() : scalarField::null();
+    const scalarField& ofPoints =
+        voidFraction ? pointAlpha().primitiveField() : scalarField::null();
+
+    const volScalarField* nu = nu_.field();
+    weights_.find
+    (
+        points,
+        mine_,
+        cells_,
+        needs_,
+        [&](const label k, const pointWeights::weighted& w)
+        {
+            sampledFluid& f = fluid_[mine_[k]];
+            f.u = w.of(uOfCells, uOfPoints);
+            f.rho = rho_[w.cell];
+            f.nu = nu ? (*nu)[w.cell] : nu_.uniform();
+            f.voidFraction = voidFraction ? w.of(ofCells, ofPoints) : 1;
+        }
+    );
+}
+
+
+void Foam::coupling::fluidSampler::sampleKnown
+(
+    const UList<point>& points,
+    const volVectorField& U,
+    const volScalarField* voidFraction
+)
+{
+    if (linear())
+    {
+        sampleLinear(points, U, voidFraction);
+        return;
+    }
+    const volScalarField* nu = nu_.field();
+    forAll(mine_, k)
+    {
+        sampledFluid& f = fluid_[mine_[k]];
+        f.rho = rho_[cells_[k]];
+        f.nu = nu ? (*nu)[cells_[k]] : nu_.uniform();
+        f.voidFraction = 1;
+    }
+    interpolate
+    (
+        U,
+        points,
+        [&](const label b, const vector& value) { fluid_[b].u = value; }
+    );
+    if (voidFraction)
+    {
+        interpolate
+        (
+            *voidFraction,
+            points,
+            [&](const label b, const scalar value)
+            {
+                fluid_[b].voidFraction = value;
+            }
+        );
+    }
 }
 
 
@@ -369,9 +439,8 @@ void Foam::coupling::fluidSampler::sample
     const volScalarField* voidFraction
 )
 {
-    const labelList mine(ownPoints(cellOf));
-    clear(points.size(), Pstream::parRun() || mine.size() < points.size());
-    const labelList cells(UIndirectList<label>(cellOf, mine));
+    findOwn(cellOf);
+    clear(points.size(), Pstream::parRun() || mine_.size() < points.size());
 
     // Decomposition of cells and point values are made by all ranks
     mesh_.tetBasePtIs();
@@ -383,50 +452,20 @@ void Foam::coupling::fluidSampler::sample
             weights_.forget();
             version_ = version;
         }
-        weights_.find(points, mine, cells);
     }
-    const scalarField cellNu(nu_(cells));
-    forAll(mine, k)
-    {
-        sampledFluid& f = fluid_[mine[k]];
-        f.rho = rho_[cells[k]];
-        f.nu = cellNu[k];
-        f.voidFraction = 1;
-    }
-    interpolate
-    (
-        U,
-        points,
-        mine,
-        cells,
-        [&](const label b, const vector& value) { fluid_[b].u = value; }
-    );
-    if (voidFraction)
-    {
-        interpolate
-        (
-            *voidFraction,
-            points,
-            mine,
-            cells,
-            [&](const label b, const scalar value)
-            {
-                fluid_[b].voidFraction = value;
-            }
-        );
-    }
-    sampleDerived(U, points, mine, cells);
+    sampleKnown(points, U, voidFraction);
+    sampleDerived(U, points);
     if (needs(fluidAtPoint::pressureGradient))
     {
-        samplePressure(points, mine, cells);
+        samplePressure(points);
     }
     if (needs(fluidAtPoint::turbulence))
     {
-        sampleTurbulence(mine, cells);
+        sampleTurbulence();
     }
     if (needs(fluidAtPoint::cell))
     {
-        sampleCells(points, mine, cells);
+        sampleCells(points);
     }
     if (Pstream::parRun())
     {

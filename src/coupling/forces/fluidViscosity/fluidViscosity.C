@@ -13,7 +13,6 @@ License
 #include "checkedEntry.H"
 #include "IOdictionary.H"
 #include "dimensionedScalar.H"
-#include "volFields.H"
 
 // * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
 
@@ -80,20 +79,10 @@ Foam::coupling::fluidViscosity::fluidViscosity
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::scalarField Foam::coupling::fluidViscosity::operator()
-(
-    const labelUList& cells
-) const
+const Foam::volScalarField* Foam::coupling::fluidViscosity::field() const
 {
-    if (value_ > 0)
-    {
-        return scalarField(cells.size(), value_);
-    }
-    return scalarField
-    (
-        mesh_.lookupObject<volScalarField>("nu").primitiveField(),
-        cells
-    );
+    return
+        value_ > 0 ? nullptr : &mesh_.lookupObject<volScalarField>("nu");
 }
 
 

@@ -38,4 +38,22 @@ Foam::scalar Foam::coupling::gidaspow::factor
 }
 
 
+void Foam::coupling::gidaspow::factors
+(
+    const scalar width,
+    const UList<scalar>& Re,
+    const UList<scalar>& voidFraction,
+    UList<triple>& f
+) const
+{
+    forAll(f, i)
+    {
+        f[i] =
+            voidFraction[i] > 0.8
+          ? dilute_.near(width, Re[i], voidFraction[i])
+          : dense_.near(width, Re[i], voidFraction[i]);
+    }
+}
+
+
 // ************************************************************************* //

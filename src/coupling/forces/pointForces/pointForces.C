@@ -85,10 +85,10 @@ Foam::scalar Foam::coupling::pointForces::rate
     scalar sum = 0;
     for (label i = first_[b]; i < first_[b + 1]; ++i)
     {
-        const element& e = elements_[i];
-        sum += e.stokes > 0 ? e.stokes*factorOf(e, slip) : 0;
+        const scalar stokes = elements_[i].stokes;
+        sum += stokes > 0 ? stokes*factorOf(i, slip) : 0;
     }
-    return sum/inertia_[b];
+    return sum/inertiaOf(b);
 }
 
 

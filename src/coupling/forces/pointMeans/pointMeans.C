@@ -79,6 +79,7 @@ void Foam::coupling::pointMeans::makeWeights()
     }
 
     faces_.clear();
+    end_.setSize(mesh_.boundaryMesh().size());
     forAll(mesh_.boundaryMesh(), patchi)
     {
         const polyPatch& p = mesh_.boundaryMesh()[patchi];
@@ -91,9 +92,10 @@ void Foam::coupling::pointMeans::makeWeights()
         {
             for (const label pointi : mesh_.faces()[f])
             {
-                append(faces_, pointi, f, mesh_.faceCentres()[f]);
+                append(faces_, pointi, f - p.start(), mesh_.faceCentres()[f]);
             }
         }
+        end_[patchi] = faces_.size();
     }
 
     // All images of a point together

@@ -42,13 +42,15 @@ Foam::coupling::pointMeans::at
     {
         values[s.point] += s.weight*field[s.of];
     }
-    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
-    for (const share& s : faces_)
+    label i = 0;
+    forAll(end_, patchi)
     {
-        const label patchi =
-            patches.patchID()[s.of - mesh_.nInternalFaces()];
-        values[s.point] += s.weight
-           *field.boundaryField()[patchi][s.of - patches[patchi].start()];
+        const Field<Type>& onPatch = field.boundaryField()[patchi];
+        for (; i < end_[patchi]; ++i)
+        {
+            const share& s = faces_[i];
+            values[s.point] += s.weight*onPatch[s.of];
+        }
     }
     syncTools::syncPointList
     (

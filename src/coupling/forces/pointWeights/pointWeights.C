@@ -10,17 +10,6 @@ License
 
 #include "pointWeights.H"
 
-// * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
-
-namespace
-{
-
-// A point is inside if all of its coordinates are above
-const Foam::scalar roundOff = 1e-9;
-
-} // End anonymous namespace
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 bool Foam::coupling::pointWeights::set
@@ -58,24 +47,6 @@ bool Foam::coupling::pointWeights::set
 }
 
 
-Foam::scalar Foam::coupling::pointWeights::locate
-(
-    const point& x,
-    const tetrahedron& t,
-    weighted& found
-)
-{
-    const vector r = x - t.centre;
-    found.cell = t.cell;
-    found.vertex = t.vertex;
-    found.w[1] = r & t.gradient[0];
-    found.w[2] = r & t.gradient[1];
-    found.w[3] = r & t.gradient[2];
-    found.w[0] = 1 - found.w[1] - found.w[2] - found.w[3];
-    return min(min(found.w[0], found.w[1]), min(found.w[2], found.w[3]));
-}
-
-
 Foam::coupling::pointWeights::tetrahedron
 Foam::coupling::pointWeights::search
 (
@@ -86,7 +57,7 @@ Foam::coupling::pointWeights::search
 {
     tetrahedron found, t;
     scalar deepest = -GREAT;
-    weighted tried;
+    weighted tried = weighted();
     for (const label face : mesh_.cells()[c])
     {
         const label n = mesh_.faces()[face].size() - 2;
@@ -134,36 +105,6 @@ Foam::coupling::pointWeights::pointWeights(const polyMesh& mesh)
 :
     mesh_(mesh)
 {}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::coupling::pointWeights::find
-(
-    const UList<point>& points,
-    const labelUList& mine,
-    const labelUList& cells
-)
-{
-    // Made by all ranks together on first use
-    mesh_.tetBasePtIs();
-
-    last_.setSize(points.size());
-    points_.setSize(mine.size());
-    forAll(mine, k)
-    {
-        tetrahedron& t = last_[mine[k]];
-        const point& x = points[mine[k]];
-        if
-        (
-            t.cell != cells[k]
-         || !(locate(x, t, points_[k]) > roundOff)
-        )
-        {
-            t = search(x, cells[k], points_[k]);
-        }
-    }
-}
 
 
 // ************************************************************************* //

@@ -35,4 +35,38 @@ Foam::scalar Foam::coupling::wenYu::factor
 }
 
 
+Foam::coupling::dragLaw::triple Foam::coupling::wenYu::near
+(
+    const scalar width,
+    const scalar Re,
+    const scalar voidFraction
+) const
+{
+    // What depends on the void fraction alone once
+    const scalar crowd = pow(voidFraction, -2.65);
+    const scalar alone = voidFraction*Re;
+    return
+    {
+        crowd*single_.factor(alone, 1),
+        crowd*single_.factor((1 - width)*alone, 1),
+        crowd*single_.factor((1 + width)*alone, 1)
+    };
+}
+
+
+void Foam::coupling::wenYu::factors
+(
+    const scalar width,
+    const UList<scalar>& Re,
+    const UList<scalar>& voidFraction,
+    UList<triple>& f
+) const
+{
+    forAll(f, i)
+    {
+        f[i] = near(width, Re[i], voidFraction[i]);
+    }
+}
+
+
 // ************************************************************************* //

@@ -100,6 +100,45 @@ const Foam::labelList& Foam::coupling::ballCells::cells
 }
 
 
+bool Foam::coupling::ballCells::findWhole
+(
+    const dem::bodies& state,
+    const bodyKinds& kinds,
+    List<cellBall>& balls
+)
+{
+    if
+    (
+        Pstream::parRun()
+     || kinds.mixed()
+     || state.nSpheres() != state.size()
+     || (state.size() && kinds.resolved(0))
+    )
+    {
+        return false;
+    }
+    for (const dem::shape& s : state.shapes())
+    {
+        if (!s.isSphere())
+        {
+            return false;
+        }
+    }
+    const labelList& cell = centres_.find(state);
+    if (cell.found(-1))
+    {
+        return false;
+    }
+
+    balls.setSize(state.size());
+    forAll(balls, b)
+    {
+        balls[b] = {cell[b], state.x[b], state.sphereR[b]};
+    }
+    return true;
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::coupling::ballCells::find
@@ -109,6 +148,11 @@ void Foam::coupling::ballCells::find
     List<cellBall>& balls
 )
 {
+    whole_ = findWhole(state, kinds, balls);
+    if (whole_)
+    {
+        return;
+    }
     const labelList& cell = cells(state);
     const auto isPoint = [&](const label s)
     {
@@ -120,7 +164,6 @@ void Foam::coupling::ballCells::find
     {
         n += isPoint(s);
     }
-    whole_ = !Pstream::parRun() && n == state.size() && n == cell.size();
     body_.setSize(n);
     share_.setSize(n);
     balls.setSize(n);

@@ -37,15 +37,10 @@ void Foam::coupling::centroidFraction::placed()
 
     // Of the ball and the cell; a cell holds a ball of its own width if they
     // are 0.52
-    scalar largest = 0;
-    for (const cellBall& b : balls_)
-    {
-        largest = max(largest, b.r);
-    }
     const scalar full = constant::mathematical::pi/6;
     scalar ratio = 0;
     const bool mayBe =
-        8*full*pow3(largest) > full*min(mesh_.cellVolumes());
+        8*full*pow3(largest_) > full*min(mesh_.cellVolumes());
     for (label i = 0; mayBe && i < balls_.size(); ++i)
     {
         const cellBall& b = balls_[i];
