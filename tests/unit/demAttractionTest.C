@@ -373,4 +373,120 @@ TEST(demAttraction, electrostatic)
 }
 
 
+TEST(demAttraction, throughSeams)
+{
+    // A pair at the sides of a box that repeats itself in all directions moves
+    // as the same pair in the open, and crosses the seam meanwhile
+    const scalar w = 0.05;
+    const auto repeated = [&](Foam::dem::demInput& input)
+    {
+        for (Foam::direction d = 0; d < 3; ++d)
+        {
+            Foam::dem::periodicity::seam s;
+            s.normal = Foam::Zero;
+            s.normal[d] = 1;
+            s.low = 0;
+            s.separation = w*s.normal;
+            input.period.append(s);
+        }
+    };
+    struct law
+    {
+        std::string name, laws, material, pair;
+        scalar gap;
+        vector v;
+    };
+    const law laws[] =
+    {
+        {
+            "electrostatic", "cohesion electrostatic; chargeCutOff 0.01;",
+            "surfaceCharge 1e-4;", "", r, {-0.05, 0.02, 0.01}
+        },
+        {
+            "vanDerWaals", "cohesion vanDerWaals;", "",
+            "hamakerConstant 1e-14; minSeparation 1e-7;", 3e-7,
+            {-0.02, 0, 1e-3}
+        }
+    };
+    const std::string fixed("type fixed; deltaT 1e-6;");
+    for (const law& l : laws)
+    {
+        // At the corner of the box, of which the far side is around the first
+        const vector n = vector(2, 1, 2)/3;
+        const point middle(1e-4, 0.3*w, w - 2e-4);
+        const point a = middle - (r + 0.5*l.gap)*n;
+        const point b = middle + (r + 0.5*l.gap)*n;
+        const auto inBox = [&](point x)
+        {
+            for (Foam::direction d = 0; d < 3; ++d)
+            {
+                x[d] -= w*std::floor(x[d]/w);
+            }
+            return x;
+        };
+        demCase open
+        (
+            balls(l.laws, l.material, l.pair,
+                body("a", "ball", a, l.v) + body("b", "ball", b, l.v), fixed)
+        );
+        demCase seam
+        (
+            balls(l.laws, l.material, l.pair,
+                body("a", "ball", inBox(a), l.v)
+              + body("b", "ball", inBox(b), l.v), fixed),
+            Foam::Zero,
+            Foam::List<Foam::dem::corners>(),
+            repeated
+        );
+        open.run(1e-9);
+        seam.run(1e-9);
+        const vector v0 = open.state().v[0];
+        scalar worst = 0, change = 0;
+        for (int k = 0; k < 40; ++k)
+        {
+            open.run(2.5e-4);
+            seam.run(2.5e-4);
+            for (const label i : {0, 1})
+            {
+                worst = std::max
+                (
+                    worst,
+                    mag(seam.state().v[i] - open.state().v[i])
+                );
+            }
+            change = std::max(change, mag(open.state().v[0] - v0));
+        }
+
+        // A coordinate of 0.05 m is rounded by 7e-18 m, 1e-10 of the gaps of
+        // van der Waals' forces, and each of the impacts makes that larger
+        figure
+        (
+            "seam_" + l.name, worst/change, 0, l.gap < 1e-6 ? 1e-6 : 1e-9,
+            "of the change of velocity", "the same pair without a seam"
+        );
+        EXPECT_GT(change, 1e-4);
+        EXPECT_GT(mag(seam.state().x[0] - open.state().x[0]), 0.9*w);
+    }
+}
+
+
+TEST(demAttraction, chargedClump)
+{
+    // The charge of a body is in the centre of its one sphere
+    std::string dict = balls
+    (
+        "cohesion electrostatic; chargeCutOff 0.01;", "surfaceCharge 1e-4;",
+        "", body("a", "ball", {0, 0, 0}, {0, 0, 0})
+    );
+    const size_t at = dict.find("large {");
+    dict.replace(at, 7, "two { type multisphere; spheres (((0 0 0) 0.001)"
+        " ((0.001 0 0) 0.001)); } large {");
+    const std::string why(messageOf([&]() { demCase c(dict); }));
+    for (const std::string word : {"electrostatic", "shape two", "several"})
+    {
+        EXPECT_NE(why.find(word), std::string::npos) << word << ": " << why;
+    }
+}
+
+
 // ************************************************************************* //

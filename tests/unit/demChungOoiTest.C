@@ -204,6 +204,54 @@ TEST(demChungOoi, test5)
 }
 
 
+TEST(demChungOoi, test5Limit)
+{
+    // The closed form is that of a sphere that does not flatten: the soft one
+    // of test 5 comes to it as its overlap vanishes, which is 2.7 % of the
+    // radius at the 5 m/s of the test, and smaller as the speed to the 0.8th.
+    // Steps ten times as fine change nothing
+    const scalar nominal = 0.8176*5;
+    for (const scalar speed : {5.0, 0.5, 0.05})
+    {
+        for (const std::string control :
+            {"type hades;", "type hades; contactSteps 200;"})
+        {
+            impact i{true, 1e-5, speed, 1e9, 0.4, 1400};
+            i.contact = pushing;
+            i.pair = "restitution 1; friction 0.3;";
+            i.stepControl = control;
+            i.slide = 12*0.3*i.speed;
+            demCase c(i.dict());
+            hit(c, i);
+            const scalar change = 12 - slipOf(c, i)/(0.3*i.speed);
+            const bool fine = control.size() > 12;
+            const std::string name = "chungOoi5_limit_"
+              + std::to_string(int(std::lround(100*speed)));
+            if (fine)
+            {
+                figureNear
+                (
+                    name,
+                    (7 - change)/(nominal*i.overlap()/i.r),
+                    1,
+                    0.01,
+                    "of 5 0.818 delta_max/r",
+                    "what the arm r - 0.818 delta_max leaves of 7"
+                );
+            }
+            if (speed < 0.1)
+            {
+                figureNear
+                (
+                    name + (fine ? "_fine" : "_slip"), change, 7, 0.01,
+                    "X - Y", chungOoi
+                );
+            }
+        }
+    }
+}
+
+
 TEST(demChungOoi, test6)
 {
     // A sphere that spins but does not slide: A = 3.5 mu (1 + e) v_n/v_t,

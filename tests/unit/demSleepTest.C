@@ -286,8 +286,8 @@ TEST(demSleep, supportGoes)
     awake.solver().remove(marked);
     c.run(1e-6);
     awake.run(1e-6);
-    figure("sleep_top", nAsleep(c), 4, 4, "balls",
-        "who has lost the weight of one on it wakes up first");
+    figure("sleep_top", nAsleep(c), 2, 2, "balls",
+        "who has lost the weight of one on it wakes up, and two below it");
     for (demCase* k : {&c, &awake})
     {
         k->run(0.5);

@@ -14,33 +14,31 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-bool Foam::dem::sleepers::wakeMarked
+void Foam::dem::sleepers::spread
 (
     const packedBodies& state,
-    const UList<bool>& spheres
+    const UList<contactBlocks::pairHistory>& contacts,
+    boolList& marked
 )
 {
-    bool any = false;
-    forAll(spheres, s)
+    for (label k = 0; k < nSpread_; ++k)
     {
-        if (spheres[s])
+        const boolList before(marked);
+        for (const contactBlocks::pairHistory& h : contacts)
         {
-            any = wake(state.bodyOf(s)) || any;
+            const label a = state.bodyOf(h.pair.i);
+            const label b = state.bodyOf(h.pair.j);
+            marked[a] = marked[a] || before[b];
+            marked[b] = marked[b] || before[a];
         }
     }
-    return any;
 }
 
 
-Foam::boolList Foam::dem::sleepers::ready(const packedBodies& state) const
+bool Foam::dem::sleepers::disturbed(const packedBodies& state, const label b)
+const
 {
-    boolList ready(rest_.size());
-    forAll(ready, b)
-    {
-        ready[b] =
-            rest_[b] == nLooks_ && state.unrest(b) < 0.5*acceleration_;
-    }
-    return ready;
+    return isAsleep(b) && state.unrest(b) > acceleration_;
 }
 
 
@@ -142,43 +140,70 @@ bool Foam::dem::sleepers::wakeMoving(const bodies& state)
 bool Foam::dem::sleepers::wake
 (
     const packedBodies& state,
+    const verletList& list,
     const wallSet& walls,
     const bool all
 )
 {
-    bool any = false;
-    if (!all)
+    boolList marked;
+    const auto mark = [&](const label b)
+    {
+        marked.setSize(rest_.size(), false);
+        marked[b] = true;
+    };
+    if (all)
+    {
+        forAll(rest_, b)
+        {
+            if (disturbed(state, b))
+            {
+                mark(b);
+            }
+        }
+        if (walls.speed() > 0)
+        {
+            boolList moved(state.nSpheres(), false);
+            walls.markMoved(moved);
+            forAll(moved, s)
+            {
+                if (moved[s] && isAsleep(state.bodyOf(s)))
+                {
+                    mark(state.bodyOf(s));
+                }
+            }
+        }
+    }
+    else
     {
         for (const label s : state.asleep().border())
         {
-            const label b = state.bodyOf(s);
-            if (isAsleep(b) && state.unrest(b) > acceleration_)
+            if (disturbed(state, state.bodyOf(s)))
             {
-                any = wake(b) || any;
+                mark(state.bodyOf(s));
             }
         }
-        return any;
+    }
+    if (marked.empty())
+    {
+        return false;
     }
 
-    forAll(rest_, b)
+    credit_ -= stepsOfSort_;
+    spread(state, list.histories(), marked);
+    forAll(marked, b)
     {
-        if (isAsleep(b) && state.unrest(b) > acceleration_)
+        if (marked[b])
         {
-            any = wake(b) || any;
+            wake(b);
         }
     }
-    if (walls.speed() > 0)
-    {
-        boolList moved(state.nSpheres(), false);
-        walls.markMoved(moved);
-        any = wakeMarked(state, moved) || any;
-    }
-    return any;
+    return true;
 }
 
 
-bool Foam::dem::sleepers::looks(const scalar t, const scalar dt) const
+bool Foam::dem::sleepers::looks(const scalar t, const scalar dt)
 {
+    credit_ = min(credit_ + 1, stepsOfSort_);
     const scalar perLook = nLooks_/time_;
     return std::floor(t*perLook) > std::floor((t - dt)*perLook);
 }
@@ -202,22 +227,16 @@ bool Foam::dem::sleepers::look
             any = any || rest_[b] == nLooks_;
         }
     }
-    if (!any)
+    if (!any || credit_ < 0)
     {
         return false;
     }
 
-    boolList falls(ready(state));
-    const boolList quiet(falls);
-    const auto unrests = [&](const label b)
+    boolList restless(rest_.size());
+    forAll(restless, b)
     {
-        return !quiet[b] && !isAsleep(b);
-    };
-    for (const contactBlocks::pairHistory& h : list.blocks().histories())
-    {
-        const label a = state.bodyOf(h.pair.i), b = state.bodyOf(h.pair.j);
-        falls[a] = falls[a] && !unrests(b);
-        falls[b] = falls[b] && !unrests(a);
+        restless[b] = !isAsleep(b)
+         && (rest_[b] < nLooks_ || state.unrest(b) > 0.5*acceleration_);
     }
     if (walls.speed() > 0)
     {
@@ -225,20 +244,23 @@ bool Foam::dem::sleepers::look
         walls.markMoved(moved);
         forAll(moved, s)
         {
-            falls[state.bodyOf(s)] = falls[state.bodyOf(s)] && !moved[s];
+            const label b = state.bodyOf(s);
+            restless[b] = restless[b] || moved[s];
         }
     }
+    spread(state, list.blocks().histories(), restless);
 
     any = false;
-    forAll(falls, b)
+    forAll(restless, b)
     {
-        if (falls[b])
+        if (!restless[b] && !isAsleep(b))
         {
             rest_[b] = nLooks_ + 1;
             ++nAsleep_;
             any = true;
         }
     }
+    credit_ -= any ? stepsOfSort_ : 0;
     return any;
 }
 
@@ -246,6 +268,7 @@ bool Foam::dem::sleepers::look
 void Foam::dem::sleepers::write(dictionary& dict) const
 {
     dict.add("looksAtRest", labelList(rest_));
+    dict.add("credit", credit_);
 }
 
 
@@ -254,6 +277,7 @@ void Foam::dem::sleepers::read(const dictionary& dict, const label nBodies)
     // None of a case that did not sleep before
     labelList saved;
     dict.readIfPresent("looksAtRest", saved);
+    dict.readIfPresent("credit", credit_);
     saved.setSize(nBodies, 0);
     rest_ = saved;
     nAsleep_ = 0;

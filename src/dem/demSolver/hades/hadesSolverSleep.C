@@ -106,7 +106,7 @@ bool Foam::dem::hadesSolver::wakeForWalls(const scalar dt)
 void Foam::dem::hadesSolver::sleep(const scalar t, const scalar dt)
 {
     const bool all = packed_.asleep().takeFresh();
-    if (sleepers_->nAsleep() && sleepers_->wake(packed_, walls_, all))
+    if (sleepers_->nAsleep() && sleepers_->wake(packed_, list_, walls_, all))
     {
         countWoken();
     }

@@ -28,19 +28,30 @@ void Foam::dem::asleepPairs::sort
 )
 {
     due_ = false;
-    const List<contactBlocks::pairHistory> all(with(awake.histories()));
-    DynamicList<contactBlocks::pairHistory> inStep, here;
+    List<contactBlocks::pairHistory> all(with(awake.histories()));
+    const auto both = [&](const contactBlocks::pairHistory& h)
+    {
+        return any() && asleep_[h.pair.i] && asleep_[h.pair.j];
+    };
+    List<contactBlocks::pairHistory> here
+    (
+        label(std::count_if(all.begin(), all.end(), both))
+    );
+    label nHere = 0, n = 0;
     for (const contactBlocks::pairHistory& h : all)
     {
-        const bool both =
-            any() && asleep_[h.pair.i] && asleep_[h.pair.j];
-        (both ? here : inStep).append(h);
-        if (both)
+        if (both(h))
         {
             // They stand still
-            std::fill_n(here.last().rate, 4, 0);
+            here[nHere] = h;
+            std::fill_n(here[nHere++].rate, 4, 0);
+        }
+        else
+        {
+            all[n++] = h;
         }
     }
+    const UList<contactBlocks::pairHistory> inStep(all.data(), n);
     awake.set(inStep, nSpheres);
     blocks_.set(here, nSpheres);
 }

@@ -157,7 +157,14 @@ const std::vector<Foam::label>& Foam::dem::contactBlocks::touching()
 Foam::List<Foam::dem::contactBlocks::pairHistory>
 Foam::dem::contactBlocks::histories() const
 {
-    DynamicList<pairHistory> found;
+    label n = 0;
+    for (label p = 0; p < nPlain_ + nImages_; ++p)
+    {
+        n += touches(slot(p));
+    }
+
+    List<pairHistory> found(n);
+    n = 0;
     for (label p = 0; p < nPlain_ + nImages_; ++p)
     {
         const label k = slot(p);
@@ -166,7 +173,7 @@ Foam::dem::contactBlocks::histories() const
             continue;
         }
 
-        pairHistory h;
+        pairHistory& h = found[n++];
         h.pair = pairInLane(k);
         if (slips_)
         {
@@ -180,9 +187,8 @@ Foam::dem::contactBlocks::histories() const
         {
             now_.rolled.get(h.rolled, 4, k, nLanes_);
         }
-        found.append(h);
     }
-    return List<pairHistory>(std::move(found));
+    return found;
 }
 
 
