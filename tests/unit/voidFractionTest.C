@@ -264,6 +264,57 @@ TEST(voidFraction, secondMoment)
 }
 
 
+// Cells of one diameter, b of 3 and 6 diameters; far from walls and in the cell
+// at a wall, about the wall, where the image makes it the same
+TEST(voidFraction, secondMomentOfDiameters)
+{
+    for (const label b : {3, 6})
+    {
+        const label n = 8*b + 1;
+        const std::string name = Foam::name(b);
+        spreading s
+        (
+            blockMesh::kind::hex,
+            n,
+            n,
+            "type diffusion; bandwidth " + name + ";"
+        );
+
+        for (const bool atWall : {false, true})
+        {
+            const scalar end = 0.5*n;
+            const point x(atWall ? 0.5 - end : 0, 0, 0);
+            const point about(atWall ? -end : 0, 0, 0);
+            s.place(List<point>(1, x), 0.5);
+            const scalarField q(s.model->spread(scalarField(1, scalar(1))));
+            scalar worst = 0;
+            for (direction d = 0; d < 3; ++d)
+            {
+                const scalar m =
+                    secondMoment(s.mesh(), q, about, d)
+                  - sqr(x[d] - about[d]);
+                worst = max(worst, mag(m/(0.5*b*b) - 1));
+            }
+            const std::string where = atWall ? "Wall" : "";
+            figure("voidFraction_secondMoment" + where + "_" + name + "d",
+                worst, 0, 0.01, "-", "b^2/2 a direction");
+            if (!atWall)
+            {
+                continue;
+            }
+
+            // The value there, against the Gaussian with its image
+            const scalar g = 1/pow3(std::sqrt(constant::mathematical::pi)*b);
+            figureNear("voidFraction_wall_" + name + "d",
+                q[s.bins.find(x)]/(g*(1 + std::exp(-sqr(1.0/b)))), 1,
+                b == 6 ? 0.03 : 0.12, "-",
+                "Gaussian with its image; the mesh's error is of order"
+                " (h/b)^2");
+        }
+    }
+}
+
+
 TEST(voidFraction, atWall)
 {
     // Half the ball's image is inside: twice the Gaussian at the wall
