@@ -397,6 +397,10 @@ TEST(voidFraction, peak)
         "over the Gaussian, closed form 2.30");
     figureNear("voidFraction_peak_50", at50, 1.04, 0.02, "-",
         "over the Gaussian");
+    figureNear("voidFraction_peak_10", at10, 1.223, 0.03, "-",
+        "over the Gaussian, N^1.5 gamma(N - 1.5)/gamma(N)");
+    figure("voidFraction_peak_1", peakRatio(12, euler + "1;"), at3, noBar,
+        "-", "above that of 3: one step has no bound without a mesh");
     figure("voidFraction_peak_order",
         std::log((at10 - 1)/(at50 - 1))/std::log(5.0), 0.8, 1.3, "-",
         "falls as 1/N");
