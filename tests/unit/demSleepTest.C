@@ -198,6 +198,33 @@ TEST(demSleep, slope)
 }
 
 
+TEST(demSleep, shares)
+{
+    // Cubes whose contacts share a stiffness: if those of who sleeps did not,
+    // they would push as four times as many and wake it at once
+    std::string dict
+    (
+        scene
+        (
+            cubeOfNine,
+            "low { shape cube; material stuff; position (0 0 0.00685); }\n"
+            "high { shape cube; material stuff; position (0 0 0.02055); }\n",
+            floorWall,
+            0.5,
+            sleeping
+        )
+    );
+    dict.replace(dict.find("mindlin;"), 8, "mindlin; multiContact share;");
+    demCase c(dict, gravity);
+    c.run(2);
+    const label before = nAsleep(c);
+    c.run(0.5);
+    figure("sleep_shares", before + nAsleep(c), 4, 4, "cubes",
+        "two asleep, twice");
+    EXPECT_EQ(c.solver().report().nSteps, 1);
+}
+
+
 TEST(demSleep, springs)
 {
     // A ball that its springs of slip and of rolling hold on a slope; gravity
