@@ -142,7 +142,7 @@ Foam::List<Foam::dem::contactForce> Foam::dem::contactForces
 
     contactBlocks blocks;
     blocks.setLanes(nLanes);
-    blocks.set(histories, 2*nPairs + nTouches);
+    blocks.set(histories, contactBlocks::fillerOf(2*nPairs + nTouches));
 
     spheres.give(data, m);
     data.fetches = false;
@@ -157,8 +157,8 @@ Foam::List<Foam::dem::contactForce> Foam::dem::contactForces
     data.wallRecordsStep = sizeof(wallTouch)/sizeof(scalar);
     data.wallMaterial = wallMaterial.data();
 
-    sweepExtremes ofPairs, ofWalls;
-    model.instructions().sweep(model.laws(), data, ofPairs, ofWalls);
+    sweepFound found;
+    model.instructions().sweep(model.laws(), data, found);
     for (label k = 0; k < nPairs; ++k)
     {
         all[k].force = vectorOf(spheres.r.f(2*k));

@@ -107,6 +107,33 @@ sweepLaws numbered(const contactLaws& laws)
 } // End anonymous namespace
 
 
+namespace
+{
+
+//- Take note of the stiffest and the deepest contact of a kind; who is in a
+//  lane of it?
+template<class Who>
+void note(const sweepExtremes& found, contactSummary& sum, const Who& who)
+{
+    if (found.overlapAt >= 0 && found.overlap > sum.overlap)
+    {
+        const labelPair p = who(found.overlapAt);
+        sum.overlap = found.overlap;
+        sum.overlapA = p.first();
+        sum.overlapB = p.second();
+    }
+    if (found.stiffAt >= 0 && found.frequency10 > sum.frequency10)
+    {
+        const labelPair p = who(found.stiffAt);
+        sum.frequency10 = found.frequency10;
+        sum.stiffA = p.first();
+        sum.stiffB = p.second();
+    }
+}
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::dem::contactModel::giveWalls
@@ -192,13 +219,13 @@ void Foam::dem::contactModel::hold
         data.wallShare = shares_.ofWalls();
     }
 
-    sweepExtremes pairs, atWalls;
-    set_->sweep(laws_, data, pairs, atWalls);
+    sweepFound found;
+    set_->sweep(laws_, data, found);
     asleep.trial = memory;
     asleep.trialRolled = rolled;
     asleep.accept();
-    nHeld_ = pairs.nTouching + atWalls.nTouching;
-    heldFrequency10_ = max(pairs.frequency10, atWalls.frequency10);
+    nHeld_ = found.pairs.nTouching + found.walls.nTouching;
+    heldFrequency10_ = max(found.pairs.frequency10, found.walls.frequency10);
     state.asleep().hold(state.spheres());
 }
 
@@ -217,20 +244,21 @@ void Foam::dem::contactModel::attract
     list.giveReached(data, onTrial);
     giveWalls(walls, reached, data);
 
-    sweepExtremes pairs, atWalls;
-    set_->attract(laws_, data, pairs, atWalls);
+    sweepFound found;
+    set_->attract(laws_, data, found);
 
-    if (pairs.frequency10 > sum.frequency10)
+    if (found.pairs.frequency10 > sum.frequency10)
     {
-        const verletList::spherePair p = list.reachedInLane(pairs.stiffAt);
-        sum.frequency10 = pairs.frequency10;
+        const verletList::spherePair p =
+            list.reachedInLane(found.pairs.stiffAt);
+        sum.frequency10 = found.pairs.frequency10;
         sum.stiffA = state.bodyOf(p.i);
         sum.stiffB = state.bodyOf(p.j);
     }
-    if (atWalls.frequency10 > sum.frequency10)
+    if (found.walls.frequency10 > sum.frequency10)
     {
-        const wallTouch& t = reached[atWalls.stiffAt];
-        sum.frequency10 = atWalls.frequency10;
+        const wallTouch& t = reached[found.walls.stiffAt];
+        sum.frequency10 = found.walls.frequency10;
         sum.stiffA = state.bodyOf(t.sphere);
         sum.stiffB = -1 - t.wallI;
     }
@@ -283,6 +311,7 @@ Foam::dem::contactSummary Foam::dem::contactModel::addForces
     data.ahead = between > 0 ? 0.5*dt/between : 0;
     list.give(data, onTrial);
     giveWalls(walls, walls.padded(nLanes()), data);
+    walls.planes().give(data, onTrial);
     data.wallRolled = walls.rolled();
     if (laws_.shares)
     {
@@ -291,53 +320,36 @@ Foam::dem::contactSummary Foam::dem::contactModel::addForces
         data.wallShare = shares_.ofWalls();
     }
 
-    sweepExtremes pairs, atWalls;
-    set_->sweep(laws_, data, pairs, atWalls);
+    sweepFound found;
+    set_->sweep(laws_, data, found);
 
     contactSummary sum;
-    sum.nPairs = pairs.nTouching;
-    sum.nWalls = atWalls.nTouching;
+    sum.nPairs = found.pairs.nTouching;
+    sum.nWalls = found.walls.nTouching + found.planes.nTouching;
     if (state.asleep().any())
     {
         sum.nAsleep = nHeld_;
         sum.asleepFrequency10 = heldFrequency10_;
     }
     sum.wallSpeed = walls.speed();
-
-    const auto bodyAt = [&](const label sphere)
+    note(found.pairs, sum, [&](const label lane)
     {
-        return state.bodyOf(sphere);
-    };
-    const auto wallAt = [&](const label lane)
+        const verletList::spherePair p = list.pairInLane(lane);
+        return labelPair(state.bodyOf(p.i), state.bodyOf(p.j));
+    });
+    note(found.walls, sum, [&](const label lane)
     {
-        return -1 - walls.trial()[lane].wallI;
-    };
-    if (atWalls.overlap > pairs.overlap)
+        const wallTouch& t = walls.trial()[lane];
+        return labelPair(state.bodyOf(t.sphere), -1 - t.wallI);
+    });
+    note(found.planes, sum, [&](const label lane)
     {
-        sum.overlap = atWalls.overlap;
-        sum.overlapA = bodyAt(walls.trial()[atWalls.overlapAt].sphere);
-        sum.overlapB = wallAt(atWalls.overlapAt);
-    }
-    else if (pairs.overlapAt >= 0)
-    {
-        const verletList::spherePair p = list.pairInLane(pairs.overlapAt);
-        sum.overlap = pairs.overlap;
-        sum.overlapA = bodyAt(p.i);
-        sum.overlapB = bodyAt(p.j);
-    }
-    if (atWalls.frequency10 > pairs.frequency10)
-    {
-        sum.frequency10 = atWalls.frequency10;
-        sum.stiffA = bodyAt(walls.trial()[atWalls.stiffAt].sphere);
-        sum.stiffB = wallAt(atWalls.stiffAt);
-    }
-    else if (pairs.stiffAt >= 0)
-    {
-        const verletList::spherePair p = list.pairInLane(pairs.stiffAt);
-        sum.frequency10 = pairs.frequency10;
-        sum.stiffA = bodyAt(p.i);
-        sum.stiffB = bodyAt(p.j);
-    }
+        return labelPair
+        (
+            state.bodyOf(walls.planes().sphereInLane(lane)),
+            -1 - walls.planes().wallInLane(lane)
+        );
+    });
     if (laws_.reaches())
     {
         attract(data, state, list, walls, onTrial, sum);

@@ -19,7 +19,7 @@ void Foam::dem::contactBlocks::place
 (
     const Pairs& pairs,
     const label n,
-    const label nSpheres
+    const spherePair& filler
 )
 {
     const label W = nLanes_;
@@ -32,8 +32,8 @@ void Foam::dem::contactBlocks::place
     nPlainBlocks_ = (nPlain_ + W - 1)/W;
     const label nBlocks = nPlainBlocks_ + (nImages_ + W - 1)/W;
 
-    i_.assign(nBlocks*W, 8*nSpheres);
-    j_.assign(nBlocks*W, 8*(nSpheres + 1));
+    i_.assign(nBlocks*W, 8*filler.i);
+    j_.assign(nBlocks*W, 8*filler.j);
     image_.assign(nImages_ ? nBlocks*W : 0, periodicity::original);
     now_.xi.zero(slips_ ? 3*nBlocks*W : 0);
     now_.rate.zero(moves_ ? 4*nBlocks*W : 0);
@@ -60,14 +60,14 @@ void Foam::dem::contactBlocks::place
 void Foam::dem::contactBlocks::set
 (
     const UList<pairHistory>& touching,
-    const label nSpheres
+    const spherePair& filler
 )
 {
     place
     (
         [&](const label p) -> const spherePair& { return touching[p].pair; },
         touching.size(),
-        nSpheres
+        filler
     );
     forAll(touching, p)
     {
@@ -93,7 +93,7 @@ void Foam::dem::contactBlocks::set
 void Foam::dem::contactBlocks::set
 (
     const std::vector<spherePair>& pairs,
-    const label nSpheres
+    const spherePair& filler
 )
 {
     // Which pairs had which memory
@@ -110,7 +110,7 @@ void Foam::dem::contactBlocks::set
     (
         [&](const label p) -> const spherePair& { return pairs[p]; },
         n,
-        nSpheres
+        filler
     );
 
     std::size_t next = 0;
@@ -154,6 +154,29 @@ const std::vector<Foam::label>& Foam::dem::contactBlocks::touching()
 }
 
 
+Foam::dem::contactBlocks::pairHistory Foam::dem::contactBlocks::history
+(
+    const label lane
+) const
+{
+    pairHistory h;
+    h.pair = pairInLane(lane);
+    if (slips_)
+    {
+        now_.xi.get(h.xi.data(), 3, lane, nLanes_);
+    }
+    if (moves_)
+    {
+        now_.rate.get(h.rate, 4, lane, nLanes_);
+    }
+    if (rolls_)
+    {
+        now_.rolled.get(h.rolled, 4, lane, nLanes_);
+    }
+    return h;
+}
+
+
 Foam::List<Foam::dem::contactBlocks::pairHistory>
 Foam::dem::contactBlocks::histories() const
 {
@@ -167,25 +190,9 @@ Foam::dem::contactBlocks::histories() const
     n = 0;
     for (label p = 0; p < nPlain_ + nImages_; ++p)
     {
-        const label k = slot(p);
-        if (!touches(k))
+        if (touches(slot(p)))
         {
-            continue;
-        }
-
-        pairHistory& h = found[n++];
-        h.pair = pairInLane(k);
-        if (slips_)
-        {
-            now_.xi.get(h.xi.data(), 3, k, nLanes_);
-        }
-        if (moves_)
-        {
-            now_.rate.get(h.rate, 4, k, nLanes_);
-        }
-        if (rolls_)
-        {
-            now_.rolled.get(h.rolled, 4, k, nLanes_);
+            found[n++] = history(slot(p));
         }
     }
     return found;

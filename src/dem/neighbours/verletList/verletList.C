@@ -101,7 +101,7 @@ void Foam::dem::verletList::gather
             nearPairs_.push_back(p);
         }
     }
-    blocks.set(nearPairs_, state.nSpheres());
+    blocks.set(nearPairs_, contactBlocks::fillerOf(state.nSpheres()));
 }
 
 
@@ -117,7 +117,7 @@ void Foam::dem::verletList::takeKept
         return contactBlocks::before(a.pair, b.pair);
     };
     std::sort(kept.begin(), kept.end(), sooner);
-    blocks.set(kept, nSpheres);
+    blocks.set(kept, contactBlocks::fillerOf(nSpheres));
     kept.clear();
 }
 

@@ -65,34 +65,46 @@ inline Foam::label Foam::dem::wallSet::select
     const scalar radius
 )
 {
-    if (last < first + 2)
+    const label n = last - first;
+    if (n < 2)
     {
         return last;
     }
-    std::sort
+    labelList order(identity(n));
+    std::stable_sort
     (
-        trial.begin() + first,
-        trial.begin() + last,
-        [](const wallTouch& a, const wallTouch& b)
+        order.begin(),
+        order.end(),
+        [&](const label a, const label b)
         {
-            return a.overlap > b.overlap;
+            return trial[first + a].overlap > trial[first + b].overlap;
         }
     );
 
-    label end = first;
-    for (label t = first; t < last; ++t)
+    boolList kept(n, false);
+    for (label t = 0; t < n; ++t)
     {
         bool standsOut = true;
-        for (label k = first; k < end && standsOut; ++k)
+        for (label k = 0; k < t && standsOut; ++k)
         {
             // The tolerance is above the round-off of coordinates in a
             // surface file, and far below what a corner stands out
+            const wallTouch& deeper = trial[first + order[k]];
             standsOut =
-                ((trial[t].p - trial[k].p) & trial[k].n) > 1e-4*radius;
+                !kept[order[k]]
+             || ((trial[first + order[t]].p - deeper.p) & deeper.n)
+              > 1e-4*radius;
         }
-        if (standsOut)
+        kept[order[t]] = standsOut;
+    }
+
+    // In their order, in which planeTouches has them too
+    label end = first;
+    for (label t = 0; t < n; ++t)
+    {
+        if (kept[t])
         {
-            trial[end++] = trial[t];
+            trial[end++] = trial[first + t];
         }
     }
     return end;
@@ -159,6 +171,7 @@ void Foam::dem::wallSet::findTouches(const packedBodies& state)
 {
     const UList<neighbour>& near = narrowed_ ? near_ : all_;
     find(state, near, false, contacts_);
+    planes_.find(state);
     if (reaches())
     {
         find(state, near, true, reached_);
@@ -252,6 +265,7 @@ const Foam::dem::wallTouch* Foam::dem::wallSet::inTheWay
 
 void Foam::dem::wallSet::renumber(const labelUList& newIndex)
 {
+    release();
     contacts_.renumber(newIndex);
     asleep_.renumber(newIndex);
     reached_.renumber(newIndex);
@@ -281,6 +295,7 @@ void Foam::dem::wallSet::setTouches
     const UList<wallTouch>& bridged
 )
 {
+    planes_.clear();
     contacts_.accepted = touches;
     contacts_.rolled = contacts_.rolls ? rolled : UList<wallRolled>();
     asleep_.accepted.clear();

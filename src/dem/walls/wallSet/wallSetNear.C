@@ -38,6 +38,72 @@ void Foam::dem::wallSet::findNear
 }
 
 
+void Foam::dem::wallSet::release()
+{
+    if (planes_.size())
+    {
+        contacts_.add(planes_.touches());
+        planes_.clear();
+    }
+}
+
+
+bool Foam::dem::wallSet::arePlanes(const label first) const
+{
+    if (!planes_.active() || first == near_.size())
+    {
+        return false;
+    }
+    for (label k = first; k < near_.size(); ++k)
+    {
+        const neighbour& n = near_[k];
+        const label p = planes_.planeOf(n.wallI, n.element);
+        if (p < 0 || n.image != periodicity::original)
+        {
+            return false;
+        }
+        for (label j = first; j < k; ++j)
+        {
+            const neighbour& m = near_[j];
+            if (!planes_.apart(p, planes_.planeOf(m.wallI, m.element)))
+            {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+
+void Foam::dem::wallSet::toPlanes
+(
+    const label first,
+    const label begin,
+    const label end
+)
+{
+    for (label k = first; k < near_.size(); ++k)
+    {
+        const neighbour& n = near_[k];
+        const label p = planes_.planeOf(n.wallI, n.element);
+        const wallTouch* before = nullptr;
+        scalar best = touchList::likeEnough;
+        for (label t = begin; t < end; ++t)
+        {
+            const scalar cosine =
+                contacts_.accepted[t].n & planes_.normal(p);
+            if (cosine > best)
+            {
+                best = cosine;
+                before = &contacts_.accepted[t];
+            }
+        }
+        planes_.append(n.sphere, p, before);
+    }
+    near_.setSize(first);
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::dem::wallSet::build
@@ -47,6 +113,8 @@ void Foam::dem::wallSet::build
     const scalar own
 )
 {
+    release();
+    planes_.setWalls(walls_);
     all_.clear();
     narrowed_ = false;
     builtT_ = t_;
@@ -86,28 +154,63 @@ void Foam::dem::wallSet::narrow
     const UList<scalar>& allowed
 )
 {
+    release();
     near_.clear();
     narrowed_ = true;
+
+    DynamicList<wallTouch>& before = contacts_.accepted;
+    label old = 0, nKept = 0;
     point p;
     vector n;
-    for (const neighbour& k : all_)
+    for (label k = 0; k < all_.size();)
     {
-        if (sleeps(k.sphere))
+        const label sphere = all_[k].sphere;
+        const label first = near_.size();
+        const scalar r = state.radius(sphere);
+        const scalar reach =
+            r + allowed[sphere] + own_ + (reaches() ? reachOf(r) : 0);
+        for (; k < all_.size() && all_[k].sphere == sphere; ++k)
+        {
+            const neighbour& e = all_[k];
+            point x = state.centre(sphere);
+            if (e.image != periodicity::original)
+            {
+                x += period_.shift(e.image);
+            }
+            if
+            (
+                !sleeps(sphere)
+             && walls_[e.wallI].nearest(x, e.element, p, n) < reach
+            )
+            {
+                near_.append(e);
+            }
+        }
+        if (!arePlanes(first))
         {
             continue;
         }
-        point x = state.centre(k.sphere);
-        if (k.image != periodicity::original)
+
+        // The other accepted contacts stay, in their order
+        for (; old < before.size() && before[old].sphere < sphere; ++old)
         {
-            x += period_.shift(k.image);
+            before[nKept++] = before[old];
         }
-        const scalar r = state.radius(k.sphere);
-        const scalar reach =
-            r + allowed[k.sphere] + own_ + (reaches() ? reachOf(r) : 0);
-        if (walls_[k.wallI].nearest(x, k.element, p, n) < reach)
+        const label begin = old;
+        while (old < before.size() && before[old].sphere == sphere)
         {
-            near_.append(k);
+            ++old;
         }
+        toPlanes(first, begin, old);
+    }
+    if (planes_.size())
+    {
+        for (; old < before.size(); ++old)
+        {
+            before[nKept++] = before[old];
+        }
+        before.setSize(nKept);
+        planes_.set();
     }
 }
 
@@ -116,6 +219,7 @@ void Foam::dem::wallSet::setAsleep(const UList<bool>& asleep)
 {
     spheresAsleep_ = asleep;
     narrowed_ = false;
+    release();
 
     // Some may have woken up, others fallen asleep
     contacts_.add(asleep_);
@@ -161,6 +265,7 @@ void Foam::dem::wallSet::markMoved(UList<bool>& spheres) const
 Foam::dem::touchList Foam::dem::wallSet::together() const
 {
     touchList both(contacts_);
+    both.add(planes_.touches());
     both.add(asleep_);
     return both;
 }
