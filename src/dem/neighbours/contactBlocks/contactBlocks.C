@@ -142,12 +142,11 @@ void Foam::dem::contactBlocks::set
 const std::vector<Foam::label>& Foam::dem::contactBlocks::touching()
 {
     touching_.clear();
-    for (label p = 0; p < nPlain_ + nImages_; ++p)
+    for (label block = 0; block < label(now_.touched.size()); ++block)
     {
-        const label k = slot(p);
-        if (touches(k))
+        for (unsigned left = now_.touched[block]; left; left &= left - 1)
         {
-            touching_.push_back(k);
+            touching_.push_back(block*nLanes_ + __builtin_ctz(left));
         }
     }
     return touching_;

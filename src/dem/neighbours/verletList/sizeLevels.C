@@ -10,6 +10,62 @@ License
 
 #include "sizeLevels.H"
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::dem::sizeLevels::sort(level& grid)
+{
+    const label n = label(grid.entries.size());
+    if (!n)
+    {
+        return;
+    }
+    grid.low = labelVector::uniform(labelMax);
+    grid.high = labelVector::uniform(labelMin);
+    for (const entry& e : grid.entries)
+    {
+        const labelVector c
+        (
+            gridIndex(e.x*grid.perWidth),
+            gridIndex(e.y*grid.perWidth),
+            gridIndex(e.z*grid.perWidth)
+        );
+        grid.low = min(grid.low, c);
+        grid.high = max(grid.high, c);
+    }
+    scalar nCells = 1;
+    for (direction d = 0; d < 3; ++d)
+    {
+        nCells *= scalar(grid.high[d]) - scalar(grid.low[d]) + 1;
+    }
+    grid.dense = nCells <= 8.0*n + 1000;
+    std::size_t nPlaces = 16;
+    while (!grid.dense && nPlaces < std::size_t(2*n))
+    {
+        nPlaces *= 2;
+    }
+    grid.begin.assign((grid.dense ? std::size_t(nCells) : nPlaces) + 1, 0);
+
+    // Backwards into their places, so that each has them in the order of
+    // their numbers
+    for (const entry& e : grid.entries)
+    {
+        ++grid.begin[place(grid, e)];
+    }
+    label sum = 0;
+    for (label& b : grid.begin)
+    {
+        sum += b;
+        b = sum;
+    }
+    std::vector<entry> sorted(n);
+    for (label k = n - 1; k >= 0; --k)
+    {
+        sorted[--grid.begin[place(grid, grid.entries[k])]] = grid.entries[k];
+    }
+    grid.entries.swap(sorted);
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::dem::sizeLevels::sizeLevels
@@ -19,48 +75,28 @@ Foam::dem::sizeLevels::sizeLevels
     const scalar skin
 )
 :
-    x_(x),
-    r_(r),
-    skin_(skin),
-    levelOf_(x.size()),
-    next_(x.size(), -1),
-    cell_(x.size())
+    skin_(skin)
 {
     const scalar rMax = max(r);
-
     forAll(x, i)
     {
-        const label l = label(std::floor(std::log2(rMax/r[i]) + 1e-9));
-        levelOf_[i] = l;
-
-        for (label k = levels_.size(); k <= l; ++k)
+        const std::size_t l(std::floor(std::log2(rMax/r[i]) + 1e-9));
+        while (levels_.size() <= l)
         {
             level grid;
-            grid.radius = rMax/std::pow(2.0, scalar(k))*(1 + 1e-9);
-            grid.width = 2*grid.radius + skin_;
-            levels_.append(grid);
+            grid.radius =
+                rMax/std::pow(2.0, scalar(levels_.size()))*(1 + 1e-9);
+            grid.perWidth = 1/(2*grid.radius + skin_);
+            levels_.push_back(grid);
         }
-        ++levels_[l].n;
+        levels_[l].entries.push_back
+        (
+            entry{x[i].x(), x[i].y(), x[i].z(), r[i], i}
+        );
     }
-
     for (level& grid : levels_)
     {
-        label size = 16;
-        while (size < 2*grid.n)
-        {
-            size *= 2;
-        }
-        grid.head.setSize(grid.n ? size : 0, -1);
-    }
-
-    // Backwards, so that each bucket lists its spheres in rising order
-    for (label i = x.size() - 1; i >= 0; --i)
-    {
-        level& grid = levels_[levelOf_[i]];
-        cell_[i] = gridCell(x[i], grid.width);
-        label& head = grid.head[bucket(cell_[i], grid.head.size())];
-        next_[i] = head;
-        head = i;
+        sort(grid);
     }
 }
 

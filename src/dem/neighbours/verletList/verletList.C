@@ -29,7 +29,13 @@ const Foam::scalar slowest = 0.2;
 
 void Foam::dem::verletList::setNear(const packedBodies& state)
 {
-    near_.start(state, 0.5*nearSkin_, slowest, 0.25);
+    near_.start
+    (
+        state,
+        0.5*nearSkin_,
+        slowest*min(skin_/max(nearSkin_, VSMALL), scalar(1)),
+        0.25
+    );
     if (asleep_.due())
     {
         asleep_.sort(blocks_, state.nSpheres());
@@ -125,7 +131,7 @@ void Foam::dem::verletList::takeKept
 void Foam::dem::verletList::adapt()
 {
     // To gather the near pairs costs about as much as a sweep
-    if (nSweeps_ < 40)
+    if (nSweeps_ < 20)
     {
         nearSkin_ *= 2;
     }
@@ -133,7 +139,9 @@ void Foam::dem::verletList::adapt()
     {
         nearSkin_ *= 0.5;
     }
-    nearSkin_ = max(min(nearSkin_, skin_), 0.1*skin_);
+
+    // Beyond the skin only the fast ones reach further
+    nearSkin_ = max(min(nearSkin_, min(fastSkin_, 4*skin_)), 0.1*skin_);
 }
 
 
@@ -302,7 +310,7 @@ void Foam::dem::verletList::build(const packedBodies& state)
     }
     sortPairs(n);
 
-    nearSkin_ = max(min(nearSkin_, skin_), 0.1*skin_);
+    nearSkin_ = max(min(nearSkin_, min(fastSkin_, 4*skin_)), 0.1*skin_);
     setNear(state);
     valid_ = true;
     renew_ = false;

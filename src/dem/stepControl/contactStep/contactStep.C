@@ -40,7 +40,7 @@ Foam::dem::contactStep::contactStep(const dictionary& dict)
             "maxDeltaT", "minDeltaT", "maxSteps"
         }
     );
-    contactFraction_ = getInRange(dict, "contactFraction", 1e-6, 0.1, 0.05);
+    contactFraction_ = getInRange(dict, "contactFraction", 1e-6, 0.2, 0.05);
     rayleighFraction_ = getInRange(dict, "rayleighFraction", 1e-6, 1, 0.2);
     maxDeltaT_ = getPositive(dict, "maxDeltaT", GREAT);
     minDeltaT_ = getPositive(dict, "minDeltaT", 1e-12);
