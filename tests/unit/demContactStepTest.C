@@ -379,7 +379,7 @@ TEST(demContactStep, wrongInput)
             }
         );
     };
-    EXPECT_NE(said("type contact; contactFraction 0.2;").find
+    EXPECT_NE(said("type contact; contactFraction 0.3;").find
         ("contactFraction"), std::string::npos);
     EXPECT_NE(said("type contact; rayleighFraction 0;").find
         ("rayleighFraction"), std::string::npos);

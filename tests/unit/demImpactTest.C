@@ -156,6 +156,42 @@ TEST(demImpact, restitution)
 }
 
 
+TEST(demImpact, restitutionFractions)
+{
+    // What coarser steps cost: figures "restitutionFraction_0.05",
+    // "restitutionFraction_0.1", "restitutionFraction_0.2"
+    for (const scalar fraction : {0.05, 0.1, 0.2})
+    {
+        scalar worst = 0;
+        scalar worstE = 0;
+        for (int n = 1; n <= 10; ++n)
+        {
+            impact i{false, 0.006, 1, 5e6, 0.25, 1200};
+            i.stepControl =
+                "type contact; rayleighFraction 1; contactFraction "
+              + text(fraction) + ";";
+            i.contact = "contact { tangential none; }";
+            i.pair = "restitution " + text(0.1*n) + ";";
+            const scalar error = restitutionError(i, 0.1*n);
+            if (error > worst)
+            {
+                worst = error;
+                worstE = 0.1*n;
+            }
+        }
+        figure
+        (
+            "restitutionFraction_" + text(fraction).substr(0, 4),
+            100*worst,
+            0,
+            fraction < 0.1 ? 1 : fraction < 0.2 ? 3 : 8,
+            "% (at e = " + text(worstE).substr(0, 3) + ")",
+            "Tsuji et al. 1992"
+        );
+    }
+}
+
+
 TEST(demImpact, restitutionSteps)
 {
     // What an impact costs with the default steps, its damped end included:

@@ -52,8 +52,9 @@ void Foam::dem::asleepPairs::sort
         }
     }
     const UList<contactBlocks::pairHistory> inStep(all.data(), n);
-    awake.set(inStep, nSpheres);
-    blocks_.set(here, nSpheres);
+    const contactBlocks::spherePair filler(contactBlocks::fillerOf(nSpheres));
+    awake.set(inStep, filler);
+    blocks_.set(here, filler);
 }
 
 
@@ -94,7 +95,7 @@ Foam::dem::asleepPairs::with
 
 void Foam::dem::asleepPairs::clear()
 {
-    blocks_.set(List<contactBlocks::pairHistory>(), 0);
+    blocks_.clear();
     due_ = any();
 }
 

@@ -11,6 +11,8 @@ License
 #include "planeTouches.H"
 #include "wall.H"
 
+#include <algorithm>
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::dem::planeTouches::activate(const label nLanes, const bool slips)
@@ -38,6 +40,49 @@ void Foam::dem::planeTouches::setWalls(const PtrList<wall>& walls)
         }
         first_.push_back(label(planes_.size()));
     }
+}
+
+
+Foam::label Foam::dem::planeTouches::planeOf(const wallTouch& t) const
+{
+    for (label k = first_[t.wallI]; k < first_[t.wallI + 1]; ++k)
+    {
+        if (planes_[k].n == t.n)
+        {
+            return k;
+        }
+    }
+    return -1;
+}
+
+
+void Foam::dem::planeTouches::order
+(
+    UList<wallTouch>& touches,
+    const label first,
+    const label last
+) const
+{
+    if (!active_)
+    {
+        return;
+    }
+    for (label t = first; t < last; ++t)
+    {
+        if (planeOf(touches[t]) < 0)
+        {
+            return;
+        }
+    }
+    std::sort
+    (
+        touches.begin() + first,
+        touches.begin() + last,
+        [&](const wallTouch& a, const wallTouch& b)
+        {
+            return planeOf(a) < planeOf(b);
+        }
+    );
 }
 
 

@@ -63,49 +63,41 @@ inline Foam::label Foam::dem::wallSet::select
     const label first,
     const label last,
     const scalar radius
-)
+) const
 {
-    const label n = last - first;
-    if (n < 2)
+    if (last < first + 2)
     {
         return last;
     }
-    labelList order(identity(n));
-    std::stable_sort
+    std::sort
     (
-        order.begin(),
-        order.end(),
-        [&](const label a, const label b)
+        trial.begin() + first,
+        trial.begin() + last,
+        [](const wallTouch& a, const wallTouch& b)
         {
-            return trial[first + a].overlap > trial[first + b].overlap;
+            return a.overlap > b.overlap;
         }
     );
 
-    boolList kept(n, false);
-    for (label t = 0; t < n; ++t)
+    label end = first;
+    for (label t = first; t < last; ++t)
     {
         bool standsOut = true;
-        for (label k = 0; k < t && standsOut; ++k)
+        for (label k = first; k < end && standsOut; ++k)
         {
             // The tolerance is above the round-off of coordinates in a
             // surface file, and far below what a corner stands out
-            const wallTouch& deeper = trial[first + order[k]];
             standsOut =
-                !kept[order[k]]
-             || ((trial[first + order[t]].p - deeper.p) & deeper.n)
-              > 1e-4*radius;
+                ((trial[t].p - trial[k].p) & trial[k].n) > 1e-4*radius;
         }
-        kept[order[t]] = standsOut;
-    }
-
-    // In their order, in which planeTouches has them too
-    label end = first;
-    for (label t = 0; t < n; ++t)
-    {
-        if (kept[t])
+        if (standsOut)
         {
-            trial[end++] = trial[first + t];
+            trial[end++] = trial[t];
         }
+    }
+    if (end > first + 1)
+    {
+        planes_.order(trial, first, end);
     }
     return end;
 }
