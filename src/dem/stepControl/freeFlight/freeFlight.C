@@ -235,16 +235,19 @@ void Foam::dem::freeFlight::meetSpheres(const periodicity& period)
         }
         for (label k = 0; k < nOriginals; ++k)
         {
+            // By value: an append may move the list that a reference is into
             const point original = x[k];
+            const label sourceOf = source[k];
+            const scalar reachOf = r[k];
             period.forEachImage
             (
                 original,
-                r[k] + overhang,
+                reachOf + overhang,
                 [&](const label image)
                 {
                     x.append(original + period.shift(image));
-                    source.append(source[k]);
-                    r.append(r[k]);
+                    source.append(sourceOf);
+                    r.append(reachOf);
                 }
             );
         }
