@@ -28,6 +28,11 @@ FIGURE = re.compile(r"^(PASS|FAIL) (\S+): .+ \(.+\)$")
 UNIT = os.path.join(STYX, "build", "styxUnitTests")
 CORES = min(2, os.cpu_count() or 1)
 
+# Freed memory is filled with 0xfe, new memory with 0x01 (by glibc), and what is
+# at least a double in OpenFOAM's programs with NaN: absurd as a number, as an
+# index and as an address
+POISON = {"MALLOC_PERTURB_": "254", "FOAM_SETNAN": "true"}
+
 
 class Test:
     """One folder with a `run`, or one command that prints figures."""
@@ -80,7 +85,8 @@ class Test:
     def execute(self, scratch, log):
         """Returns what went wrong, or nothing."""
         lib = os.path.join(STYX, "tests", "lib")
-        environment = dict(os.environ, PYTHONPATH=lib, PYTHONUNBUFFERED="1",
+        environment = dict(POISON, **os.environ)
+        environment.update(PYTHONPATH=lib, PYTHONUNBUFFERED="1",
                            PYTHONDONTWRITEBYTECODE="1")
         with open(log, "w") as out:
             process = subprocess.Popen(
