@@ -25,7 +25,8 @@ STYX = os.environ["STYX_DIR"]
 GROUPS = ("unit analytic validation parallel restart input hard scenes "
           "tutorials").split()
 FIGURE = re.compile(r"^(PASS|FAIL) (\S+): .+ \(.+\)$")
-UNIT = os.path.join(STYX, "build", "styxUnitTests")
+UNIT = os.environ.get("STYX_UNIT_TESTS",
+                      os.path.join(STYX, "build", "styxUnitTests"))
 CORES = min(2, os.cpu_count() or 1)
 
 # Freed memory is filled with 0xfe, new memory with 0x01 (by glibc), and what is
@@ -89,16 +90,17 @@ class Test:
         environment.update(PYTHONPATH=lib, PYTHONUNBUFFERED="1",
                            PYTHONDONTWRITEBYTECODE="1")
         with open(log, "w") as out:
+            limit = self.limit*float(os.environ.get("STYX_TEST_LIMITS", 1))
             process = subprocess.Popen(
                 self.command, cwd=scratch, env=environment, stdout=out,
                 stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL,
                 start_new_session=True)
             try:
-                status = process.wait(timeout=self.limit)
+                status = process.wait(timeout=limit)
             except subprocess.TimeoutExpired:
                 os.killpg(process.pid, signal.SIGKILL)
                 process.wait()
-                return f"{self.limit:g} s and not done"
+                return f"{limit:g} s and not done"
         if status < 0:
             return f"killed by {signal.Signals(-status).name}"
         return f"exit status {status}" if status else None

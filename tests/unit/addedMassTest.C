@@ -124,6 +124,77 @@ TEST(addedMass, disc)
 }
 
 
+TEST(addedMass, frictionOfSphere)
+{
+    // Stokes' drag with Basset's layer at the frequency 1/dt, over the
+    // displaced mass; of the layer half goes in the next step, as the powers
+    // of z of sqrt(1 - z) begin with 1 - z/2
+    const scalar a = 3;
+    const coupling::addedMass m(ellipsoid(vector(a, a, a)));
+    for (const scalar nuDt : {1e-4, 1.0, 1e4})
+    {
+        const scalar lambda = a/std::sqrt(nuDt);
+        figureNear
+        (
+            "addedMass_friction", m.frictionMass(nuDt).y(),
+            4.5*(1 + lambda)/sqr(lambda), 1e-12, "-", "Basset, closed form"
+        );
+        figureNear
+        (
+            "addedMass_passing", m.passingMass(nuDt).y(), 2.25/lambda, 1e-12,
+            "-", "of sqrt(1 - z)"
+        );
+        figureNear
+        (
+            "addedMass_frictionSpin", m.frictionInertia(nuDt).y(),
+            15/sqr(lambda)*(1 + sqr(lambda)/(3*(1 + lambda))), 1e-12, "-",
+            "Kim & Karrila, closed form"
+        );
+
+        // s dK/ds, by a difference; the factor before it is without s
+        const auto K = [&](const scalar x)
+        {
+            return m.frictionInertia(x).y()/x;
+        };
+        const scalar step = 1e-5;
+        figureNear
+        (
+            "addedMass_passingSpin", m.passingInertia(nuDt).y(),
+            -nuDt*(K(nuDt*(1 + step)) - K(nuDt*(1 - step)))/(2*step), 1e-6,
+            "-", "derivative of the above"
+        );
+    }
+    EXPECT_EQ(m.frictionMass(0), vector(Zero));
+    EXPECT_EQ(m.frictionInertia(0) + m.passingInertia(0), vector(Zero));
+}
+
+
+TEST(addedMass, frictionOfDisc)
+{
+    // Creeping flow, in which the layer is far wider than the disc: 16 mu a
+    // broadside, 32/3 mu a edgewise, 32/3 mu a^3 about any axis
+    const scalar nuDt = 1e8;
+    const vector axes(1, 1, 1e-2);
+    const coupling::addedMass m(ellipsoid(axes));
+    const scalar V = volumeOf(axes);
+    figureNear
+    (
+        "addedMass_discBroadside", m.frictionMass(nuDt).z()*V/nuDt, 16, 0.01,
+        "m", "Kim & Karrila, disc"
+    );
+    figureNear
+    (
+        "addedMass_discEdgewise", m.frictionMass(nuDt).x()*V/nuDt, 32.0/3,
+        0.01, "m", "Kim & Karrila, disc"
+    );
+    figureNear
+    (
+        "addedMass_discTurns", m.frictionInertia(nuDt).x()*V/5/nuDt, 32.0/3,
+        0.01, "m3", "Kim & Karrila, disc"
+    );
+}
+
+
 TEST(addedMass, needlesAndPlatesAreFinite)
 {
     const coupling::addedMass rod(1, vector(0, 1, 1));
@@ -133,6 +204,13 @@ TEST(addedMass, needlesAndPlatesAreFinite)
         EXPECT_TRUE(std::isfinite(cmptSum(m->mass() + m->inertia())));
         EXPECT_GT(cmptMin(m->mass()), 0);
         EXPECT_GE(cmptMin(m->inertia()), -1e-12);
+        EXPECT_TRUE
+        (
+            std::isfinite
+            (
+                cmptSum(m->frictionMass(1) + m->frictionInertia(1))
+            )
+        );
     }
 }
 

@@ -193,6 +193,72 @@ TEST(caseCheck, fluid)
 }
 
 
+TEST(caseCheck, thinBodiesAndGaps)
+{
+    // A plate of 4 by 4 by 1 spheres of 3 mm on 5 mm cells, and two balls
+    // half a cell apart (hard case 31)
+    std::string plate(ball);
+    std::string spheres;
+    for (int i = 0; i < 16; ++i)
+    {
+        spheres +=
+            "((" + std::to_string(0.003*(i % 4)) + ' '
+          + std::to_string(0.003*(i/4)) + " 0) 0.0015) ";
+    }
+    plate.replace
+    (
+        plate.find("shapes {"), 8,
+        "shapes { plate { type multisphere; spheres (" + spheres + "); }"
+    );
+    const std::string bodies
+    (
+        "bodies { a { shape ball; material glass; position (-0.01 0 0); }"
+        " b { shape ball; material glass; position (0.0025 0 0); }"
+        " c { shape plate; material glass; position (0 0.03 0); } }\n"
+        "stepControl { type hades; }"
+    );
+    const checkedCase c(plate + bodies, water(1e-3));
+    EXPECT_TRUE(c.advises("plate of glass is 0.003"));
+    EXPECT_TRUE(c.advises("between two bodies is 0.0025 m, 0.5 cells"));
+    figure
+    (
+        "hard31_thickness", c["cellsOverThickness"], 0.6, 0.8, "cells",
+        "spheres of 0.6 cells side by side"
+    );
+
+    caseCheck::surroundings film(water(1e-3));
+    film.film = true;
+    EXPECT_FALSE(checkedCase(plate + bodies, film).advises("narrowest gap"));
+
+    caseCheck::surroundings fine(water(1e-3));
+    fine.levels = 3;
+    const checkedCase f(plate + bodies, fine);
+    EXPECT_FALSE(f.advises("thick"));
+    EXPECT_FALSE(f.advises("narrowest gap"));
+}
+
+
+TEST(caseCheck, correctors)
+{
+    caseCheck::surroundings s(water(1e-3));
+    s.nu = 1;
+    s.nCorrectors = 2;
+    const std::string dict(ball + oneBody + "stepControl { type hades; }");
+    const checkedCase few(dict, s);
+    figureNear
+    (
+        "check_diffusion", few["diffusionNumber"], 40, 1e-6, "-",
+        "1 m2/s 1 ms/(5 mm)^2"
+    );
+    EXPECT_TRUE(few.advises("take 9,"));
+    s.nCorrectors = 9;
+    EXPECT_FALSE(checkedCase(dict, s).advises("nCorrectors"));
+    s.nu = 1e-6;
+    s.nCorrectors = 1;
+    EXPECT_FALSE(checkedCase(dict, s).advises("nCorrectors"));
+}
+
+
 TEST(caseCheck, steps)
 {
     caseCheck::surroundings s;

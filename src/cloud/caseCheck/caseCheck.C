@@ -384,6 +384,15 @@ Foam::caseCheck::caseCheck
     checkRayleigh();
     checkImpacts();
     checkFluidStep();
+    if (resolved())
+    {
+        checkThickness();
+        checkCorrectors();
+        if (!around_.film)
+        {
+            checkGaps();
+        }
+    }
     if (thorough)
     {
         checkRoom();

@@ -62,6 +62,17 @@ Foam::caseCheck::surroundings Foam::demCloud::surroundings() const
         s.nu = dimensionedScalar("nu", dimViscosity, transport).value();
     }
 
+    s.film = dict_.subOrEmptyDict("immersed").found("lubrication");
+    for (const char* control : {"PISO", "PIMPLE"})
+    {
+        if (mesh_.solutionDict().found(control))
+        {
+            s.nCorrectors =
+                mesh_.solutionDict().subDict(control)
+               .getOrDefault<label>("nCorrectors", 1);
+        }
+    }
+
     const IOdictionary meshDict(constantDict(mesh_, "dynamicMeshDict"));
     if
     (

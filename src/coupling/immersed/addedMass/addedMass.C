@@ -9,8 +9,22 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "addedMass.H"
+#include "mathematicalConstants.H"
 
 #include <cmath>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::coupling::addedMass::depth
+(
+    const direction i,
+    const scalar nuDt
+) const
+{
+    return
+        std::cbrt(torque_[i]/(8*constant::mathematical::pi))/std::sqrt(nuDt);
+}
+
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -19,6 +33,13 @@ Foam::coupling::addedMass::addedMass
     const scalar volume,
     const vector& inertiaPerDensity
 )
+:
+    volume_(volume),
+    // A rod has some about its axis
+    inertiaPerDensity_
+    (
+        max(inertiaPerDensity, 1e-4*cmptMax(inertiaPerDensity)*vector::one)
+    )
 {
     // Squares of the semi-axes; a disc or a rod has some left
     const vector& I = inertiaPerDensity;
@@ -42,11 +63,15 @@ Foam::coupling::addedMass::addedMass
             RD(a2.x(), a2.y(), a2.z())
         );
 
+    const scalar pi16 = 16*constant::mathematical::pi*abc;
+    const vector chi = cmptMultiply(a2, alpha);
     for (direction i = 0; i < 3; ++i)
     {
         const direction j = (i + 1)%3;
         const direction k = (i + 2)%3;
         mass_[i] = alpha[i]/(2 - alpha[i]);
+        drag_[i] = pi16/(cmptSum(chi) + chi[i]);
+        torque_[i] = pi16*(a2[j] + a2[k])/(3*(chi[j] + chi[k]));
 
         // Both differences vanish together where the axes are equal
         const scalar d = a2[j] - a2[k];
@@ -61,6 +86,50 @@ Foam::coupling::addedMass::addedMass
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::vector Foam::coupling::addedMass::frictionMass(const scalar nuDt) const
+{
+    return nuDt/volume_*drag_ + 2*passingMass(nuDt);
+}
+
+
+Foam::vector Foam::coupling::addedMass::passingMass(const scalar nuDt) const
+{
+    return
+        std::sqrt(nuDt)/(12*constant::mathematical::pi*volume_)
+       *cmptMultiply(drag_, drag_);
+}
+
+
+Foam::vector
+Foam::coupling::addedMass::frictionInertia(const scalar nuDt) const
+{
+    vector J(Zero);
+    for (direction i = 0; i < 3 && nuDt > 0; ++i)
+    {
+        const scalar lambda = depth(i, nuDt);
+        J[i] =
+            nuDt*torque_[i]/inertiaPerDensity_[i]
+           *(1 + sqr(lambda)/(3*(1 + lambda)));
+    }
+    return J;
+}
+
+
+Foam::vector
+Foam::coupling::addedMass::passingInertia(const scalar nuDt) const
+{
+    vector J(Zero);
+    for (direction i = 0; i < 3 && nuDt > 0; ++i)
+    {
+        const scalar lambda = depth(i, nuDt);
+        J[i] =
+            nuDt*torque_[i]/inertiaPerDensity_[i]
+           *sqr(lambda/(1 + lambda))*(2 + lambda)/6;
+    }
+    return J;
+}
+
 
 Foam::scalar Foam::coupling::addedMass::RD(scalar x, scalar y, scalar z)
 {

@@ -218,6 +218,8 @@ void Foam::coupling::implicitForcing::addTo(fvMatrix<vector>& eqn)
     diagonal_ = 0;
     source_.setSize(mesh_.nCells());
     source_ = vector(Zero);
+    viscosity_.setSize(cells_.size());
+    viscosity_ = 0;
 
     forAll(cells_, b)
     {
@@ -226,6 +228,7 @@ void Foam::coupling::implicitForcing::addTo(fvMatrix<vector>& eqn)
             if (bc.beta < 1)
             {
                 setCut(b, bc, U, otherU, nu);
+                viscosity_[b] = max(viscosity_[b], nu.inCell(bc.cell));
             }
             else
             {
@@ -238,6 +241,11 @@ void Foam::coupling::implicitForcing::addTo(fvMatrix<vector>& eqn)
             diagonal_[bc.cell] += KV;
             source_[bc.cell] += KV*bc.target + V*bc.push;
         }
+    }
+
+    if (dem_.moves())
+    {
+        dem::maxOverRanks(viscosity_);
     }
 
     // The solver subtracts eqn from its own equation

@@ -185,8 +185,13 @@ void Foam::coupling::implicitForcing::move(const label b)
 
     // Translation
     const scalar mf = fluid.mass;
-    const tensor A =
-        inSpace(virtualMass_*fluid.around*addedOf(b).mass());
+    const addedMass& added = addedOf(b);
+    const scalar nuDt = viscosity_[b]*dt;
+    const scalar counted = virtualMass_*fluid.around;
+    const tensor Ap = inSpace(counted*added.mass());
+    const tensor Af = inSpace(counted*added.frictionMass(nuDt));
+    const tensor passing = inSpace(counted*added.passingMass(nuDt));
+    const tensor A = Ap + Af;
     const tensor inverse = inv(m*tensor::I + A);
     const vector dv = now.v - old.v;
     const vector dOmega = now.omega - old.omega;
@@ -198,7 +203,8 @@ void Foam::coupling::implicitForcing::move(const label b)
           & (
                 dt*force_[b]
               + (dOmega ^ fluid.moment)
-              + mf*dv + (A & dv)
+              + mf*dv + (Ap & dv)
+              + (Af & (now.v - v0_[b])) + (passing & (v0_[b] - old.v))
               + dt*(m - fluid.buoyant)*g
               + J
             )
@@ -207,11 +213,13 @@ void Foam::coupling::implicitForcing::move(const label b)
     // Rotation: the inertia of the fluid inside is that of the body, scaled.
     // The viscous layer is part of what turns with it
     const vector T = torque_[b] + (fluid.moment ^ (dv/dt - g));
-    const tensor B =
-        inSpace
-        (
-            fluid.around/m*(0.5*vector::one + virtualMass_*addedOf(b).inertia())
-        );
+    const tensor Bp = inSpace
+    (
+        fluid.around/m*(0.5*vector::one + virtualMass_*added.inertia())
+    );
+    const tensor Bf = inSpace(counted/m*added.frictionInertia(nuDt));
+    const tensor passingB = inSpace(counted/m*added.passingInertia(nuDt));
+    const tensor B = Bp + Bf;
     const tensor inverseB = inv(tensor::I + B);
     const vector dL = I & dOmega;
 
@@ -219,9 +227,10 @@ void Foam::coupling::implicitForcing::move(const label b)
         inverseB
       & (
             L0_[b]
-          + (B & (I & omega0_[b]))
+          + (Bp & ((I & omega0_[b]) + dL)) + (Bf & (I & now.omega))
+          + (passingB & (I & (omega0_[b] - old.omega)))
           + dt*T
-          + fluid.buoyant/m*dL + (B & dL)
+          + fluid.buoyant/m*dL
           + JL
         );
 

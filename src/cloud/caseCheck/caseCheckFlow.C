@@ -1,0 +1,137 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+Description
+    What the flow around bodies that fill cells asks of the mesh and of the
+    solver's correctors.
+
+\*---------------------------------------------------------------------------*/
+
+#include "caseCheck.H"
+#include "ListOps.H"
+
+#include <cmath>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::caseCheck::checkThickness()
+{
+    scalar cells = GREAT;
+    for (const kind& k : kinds_)
+    {
+        // The shortest axis of the ellipsoid that has the body's inertia
+        const dem::shape& s = shapeOf(k);
+        const vector& I = s.inertiaPerDensity();
+        const scalar a2 = 2.5/s.volume()*(cmptSum(I) - 2*cmptMax(I));
+        const scalar thick = 2*std::sqrt(max(a2, scalar(0)));
+        const scalar across = thick/k.cell;
+        cells = min(cells, across);
+        if (across < 2 && thick < 0.9*s.equivalentDiameter())
+        {
+            sentence os;
+            os  << nameOf(k).c_str() << " is " << thick << " m thick, "
+                << across << " cells. Below two cells across, what fluid it"
+                << " takes along is 10 to 30 % too little: refine around it.";
+            advice_.append(os.str());
+        }
+    }
+    addFigure
+    (
+        "cellsOverThickness", cells, "-",
+        "fewest cells across the thinnest side of a body"
+    );
+}
+
+
+void Foam::caseCheck::checkGaps()
+{
+    // Spheres in the order in which they begin along x. Gaps count that are
+    // narrower than a cell, so that few others are looked at for each
+    const dem::bodies& state = dem_.state();
+    const label n = state.sphereX.size();
+    scalarField begins(n);
+    scalarField cell(n);
+    forAll(begins, i)
+    {
+        const label b = state.sphereBody[i];
+        cell[i] = kindOf(state.shapeI[b], state.materialI[b]).cell;
+        begins[i] = state.sphereX[i].x() - state.sphereR[i];
+    }
+    const labelList order(sortedOrder(begins));
+    scalar narrowest = GREAT;
+    scalar gap = 0;
+    forAll(order, k)
+    {
+        const label i = order[k];
+        const scalar end = begins[i] + 2*state.sphereR[i] + cell[i];
+        for (label m = k + 1; m < n && begins[order[m]] < end; ++m)
+        {
+            const label j = order[m];
+            const scalar g =
+                mag(state.sphereX[i] - state.sphereX[j])
+              - state.sphereR[i] - state.sphereR[j];
+            const scalar part = g/min(cell[i], cell[j]);
+            if
+            (
+                g > 0 && part < narrowest
+             && state.sphereBody[i] != state.sphereBody[j]
+            )
+            {
+                narrowest = part;
+                gap = g;
+            }
+        }
+    }
+    const scalar least = returnReduce(narrowest, minOp<scalar>());
+    gap = returnReduce(narrowest > least ? GREAT : gap, minOp<scalar>());
+    if (least < 1)
+    {
+        sentence os;
+        os  << "The narrowest gap between two bodies is " << gap << " m, "
+            << least << " cells: the flow in it is not resolved. Refine, or"
+            << " give immersed the film in it, lubrication.";
+        advice_.append(os.str());
+    }
+}
+
+
+void Foam::caseCheck::checkCorrectors()
+{
+    if (!(around_.nu > 0) || around_.nCorrectors < 1)
+    {
+        return;
+    }
+    scalar cell = GREAT;
+    for (const kind& k : kinds_)
+    {
+        cell = min(cell, k.cell);
+    }
+
+    // Each corrector takes friction one cell farther; in a step it reaches
+    // sqrt(nu dt). Measured: 4, 6 and 15 are enough for 4, 40 and 160
+    const scalar diffusion = around_.nu*around_.deltaT/sqr(cell);
+    const label wanted = std::ceil(1 + 1.2*std::sqrt(diffusion));
+    addFigure
+    (
+        "diffusionNumber", diffusion, "-",
+        "nu dt/h2 in the smallest cell at a body"
+    );
+    if (diffusion > 1 && around_.nCorrectors < wanted)
+    {
+        sentence os;
+        os  << "In a step friction reaches over " << std::sqrt(diffusion)
+            << " cells; with nCorrectors " << around_.nCorrectors
+            << " the force on the bodies may grow without bounds: take "
+            << wanted << ", or a step of " << around_.deltaT/diffusion
+            << " s.";
+        advice_.append(os.str());
+    }
+}
+
+
+// ************************************************************************* //
