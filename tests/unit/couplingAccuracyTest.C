@@ -69,6 +69,43 @@ scalar largestError
 
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
+TEST(couplingAccuracy, sleeping)
+{
+    // The share of gravity; what is there by hand stands
+    dictionary dict
+    (
+        dictionaryFrom
+        (
+            "coupling none; accuracy 0.02; sleeping { speed 1e-3; time 1; }"
+        )
+    );
+    const label n = couplingAccuracy::nParts(dict, false);
+    EXPECT_EQ(n, 2);
+    dem::accuracyPlan plan(dict, n);
+    couplingAccuracy::chooseSleeping(dict, plan, 9.81);
+    figureNear
+    (
+        "couplingAccuracy_sleeping",
+        dict.subDict("sleeping").get<scalar>("acceleration"), 0.01*9.81,
+        1e-12, "m/s2", "one of two parts of 2 %"
+    );
+    EXPECT_NEAR(plan.parts()[0].error, 0.01, 1e-12);
+
+    dict.subDict("sleeping").set("acceleration", 0.5);
+    dem::accuracyPlan byHand(dict, n);
+    couplingAccuracy::chooseSleeping(dict, byHand, 9.81);
+    EXPECT_EQ(dict.subDict("sleeping").get<scalar>("acceleration"), 0.5);
+    EXPECT_NEAR(byHand.parts()[0].error, 0.5/9.81, 1e-12);
+
+    // Nothing of it without the entry
+    dictionary none(dictionaryFrom("coupling none; accuracy 0.02;"));
+    dem::accuracyPlan alone(none, 1);
+    couplingAccuracy::chooseSleeping(none, alone, 9.81);
+    EXPECT_EQ(alone.parts().size(), 0);
+    EXPECT_FALSE(none.found("sleeping"));
+}
+
+
 TEST(couplingAccuracy, parts)
 {
     const auto n = [](const std::string& s, const bool inFluid)

@@ -17,6 +17,7 @@ License
 const char* const Foam::couplingAccuracy::interval = "interval of the coupling";
 const char* const Foam::couplingAccuracy::averaging = "averaging";
 const char* const Foam::couplingAccuracy::cells = "cells over the diameter";
+const char* const Foam::couplingAccuracy::asleep = "bodies asleep";
 
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -139,6 +140,7 @@ Foam::label Foam::couplingAccuracy::nParts
     // Bodies that stay where they are touch nothing
     label n =
         properties.getOrDefault<word>("demSolver", "hades") == "hades";
+    n += properties.found("sleeping");
     if (coupling == "none")
     {
         return n;
@@ -153,6 +155,38 @@ Foam::label Foam::couplingAccuracy::nParts
 
     // What effects auto has still to choose is one or the other
     return n + (coupling == "auto" && !points && !solids);
+}
+
+
+void Foam::couplingAccuracy::chooseSleeping
+(
+    dictionary& properties,
+    dem::accuracyPlan& plan,
+    const scalar g
+)
+{
+    // Without gravity the entry must be given: see dem::sleepers
+    if (!properties.found("sleeping") || !(g > 0))
+    {
+        return;
+    }
+    dictionary& dict = properties.subDict("sleeping");
+    const bool byHand = dict.found("acceleration");
+    if (!byHand)
+    {
+        dict.add("acceleration", plan.share()*g);
+    }
+    const scalar limit = dict.get<scalar>("acceleration");
+    sentence os;
+    os  << "acceleration " << limit << (byHand ? ", by hand" : "");
+
+    dem::accuracyPlan::part p;
+    p.name = asleep;
+    p.chosen = os.str();
+    p.error = limit/g;
+    p.basis = "of its weight, the force that does not wake a body";
+    p.cost = "the smaller, the fewer stay asleep";
+    plan.append(p);
 }
 
 

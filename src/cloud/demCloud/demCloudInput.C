@@ -10,6 +10,7 @@ License
 
 #include "demCloud.H"
 #include "cloudState.H"
+#include "couplingAccuracy.H"
 #include "allowedKeys.H"
 #include "bisection.H"
 #include "checkedEntry.H"
@@ -119,6 +120,10 @@ Foam::dem::demInput Foam::demCloud::solverInput(const fluidAccess access)
         mesh_.time().rootPath()/mesh_.time().globalCaseName()
        /mesh_.time().constant();
     input.g = readGravity();
+    if (accuracy_.valid())
+    {
+        couplingAccuracy::chooseSleeping(dict_, *accuracy_, mag(input.g));
+    }
     input.start = mesh_.time().value();
     input.period = patches_.period();
     input.patchTriangles =
