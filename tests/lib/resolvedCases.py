@@ -13,6 +13,8 @@
 #                                 a cube of 36^3 cells with cyclic sides
 #         startFrom("fine", "coarse")     the flow of another mesh
 #         releasedPlate(0.5, 4, 11)       accelerations over the closed form
+#         inStyxFoam("case", "type pisoIB;", 3)
+#                                 the same case for styxFoam, 3 correctors
 #------------------------------------------------------------------------------
 import math
 import os
@@ -78,6 +80,18 @@ boundary
         edit(case, "0/U", old, "%.9f" % (float(old)*speed/0.3))
     setTimes(case, step, end)
     runIn(case, "blockMesh")
+
+
+def inStyxFoam(case, immersed, correctors):
+    """Turn a case of pimpleFoam into one of styxFoam."""
+    os.remove(case + "/constant/fvOptions")
+    setEntry(case + "/constant/demCloudProperties", "immersed",
+             "{ %s }" % immersed)
+    edit(case, "system/fvSchemes", "div(phi,U) ", "div(alphaPhi,U) ")
+    edit(case, "system/fvSchemes", "div((nuEff*dev2(T(grad(U)))))",
+         "div(((voidFraction*nuEff)*dev2(T(grad(U)))))")
+    setEntry(case + "/system/fvSolution", "PIMPLE/nCorrectors",
+             str(correctors))
 
 
 def cube(case, cells, edge, nu, properties, step, end, drive=None):

@@ -33,6 +33,25 @@ Foam::IOobject Foam::averagedFluid::fieldIO
 }
 
 
+Foam::autoPtr<Foam::volScalarField> Foam::averagedFluid::allFluid() const
+{
+    if (cloud_.exchanges() || !cloud_.fillsCells())
+    {
+        return nullptr;
+    }
+    return autoPtr<volScalarField>
+    (
+        new volScalarField
+        (
+            IOobject("voidFraction", mesh_.time().timeName(), mesh_),
+            mesh_,
+            dimensionedScalar("1", dimless, 1),
+            zeroGradientFvPatchScalarField::typeName
+        )
+    );
+}
+
+
 Foam::scalar Foam::averagedFluid::courantNumber() const
 {
     const scalarField outflow
@@ -112,6 +131,7 @@ Foam::averagedFluid::averagedFluid(dynamicFvMesh& mesh)
     ),
     transport_(U_, phi_),
     cloud_(mesh, demCloud::fluidAccess::share),
+    allFluid_(allFluid()),
     alphaPhi_("alphaPhi", phi_),
     alphaf_
     (
@@ -237,7 +257,7 @@ void Foam::averagedFluid::predictMomentum()
         {
             flux = gammaf()*fvc::snGrad(p_)*mesh_.magSf();
         }
-        solve(*UEqn_ == -pressureForce(flux) - faceShift());
+        solve(*UEqn_ == -faceForce(flux));
     }
 
     A_.reset(new volScalarField(UEqn_->A()));

@@ -53,13 +53,14 @@ Foam::tmp<Foam::surfaceScalarField> Foam::averagedFluid::gammaf() const
 }
 
 
-Foam::tmp<Foam::volVectorField> Foam::averagedFluid::pressureForce
+Foam::tmp<Foam::volVectorField> Foam::averagedFluid::faceForce
 (
     const tmp<surfaceScalarField>& flux
 ) const
 {
     // The sum over all of a gradient by Gauss is that at the boundary
-    return isA() ? fvc::reconstruct(flux()) : fvc::grad(p_);
+    tmp<volVectorField> force(isA() ? fvc::reconstruct(flux()) : fvc::grad(p_));
+    return cloud_.exchanges() ? force + faceShift() : force;
 }
 
 
@@ -160,7 +161,10 @@ void Foam::averagedFluid::correctPressure()
     // does not: faces have the mean of H - A/alpha alpha U
     const surfaceScalarField& mobility = *mobility_;
     const surfaceScalarField& af = alphaf_;
-    volVectorField HbyA(constrainHbyA(rAU*UEqn_->H(), U_, p_));
+    tmp<volVectorField> H(UEqn_->H());
+    cloud_.correctImmersed(H.ref().primitiveFieldRef());
+    H.ref().correctBoundaryConditions();
+    volVectorField HbyA(constrainHbyA(rAU*H, U_, p_));
     surfaceScalarField alphaPhiHbyA
     (
         "alphaPhiHbyA",
@@ -220,7 +224,7 @@ void Foam::averagedFluid::correctPressure()
     {
         force.ref() /= mobility;
     }
-    U_ = HbyA - rAU*(pressureForce(force) + faceShift());
+    U_ = HbyA - rAU*faceForce(force);
     U_.correctBoundaryConditions();
     cloud_.correct(U_);
 }

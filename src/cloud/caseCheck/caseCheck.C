@@ -9,7 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "caseCheck.H"
-#include "implicitForcing.H"
+#include "immersedMethod.H"
 #include "ranksOf.H"
 #include "rankSum.H"
 

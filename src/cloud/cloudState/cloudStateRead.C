@@ -98,7 +98,7 @@ void readBodies
 void readCarried
 (
     const savedBodies& saved,
-    coupling::implicitForcing& immersed
+    coupling::immersedMethod& immersed
 )
 {
     const List<vector> v(saved.vectors("imposedVelocity"));
@@ -225,7 +225,7 @@ bool Foam::cloudState::read
     const fvMesh& mesh,
     dem::demSolver& dem,
     coupling::bodyKinds& kinds,
-    coupling::implicitForcing* immersed,
+    coupling::immersedMethod* immersed,
     coupling::pointForces* points
 )
 {

@@ -37,7 +37,7 @@ wordList namesOf(const PtrList<dem::shape>& shapes)
 void writeCarried
 (
     lagrangianWriter& out,
-    const coupling::implicitForcing& immersed,
+    const coupling::immersedMethod& immersed,
     const label n
 )
 {
@@ -131,7 +131,7 @@ Foam::autoPtr<Foam::IOdictionary> Foam::cloudState::write
     const fvMesh& mesh,
     lagrangianWriter& out,
     const dem::demSolver& dem,
-    const coupling::implicitForcing* immersed,
+    const coupling::immersedMethod* immersed,
     const coupling::pointForces* points,
     const dictionary& meters,
     const dictionary& effects,

@@ -327,16 +327,6 @@ void Foam::demCloud::addExchange(fvMatrix<vector>& eqn)
 }
 
 
-void Foam::demCloud::addImmersed(fvMatrix<vector>& eqn)
-{
-    if (immersed_.valid())
-    {
-        ledger::entry e(ledger_, "forcing of the fluid");
-        immersed_->addTo(eqn);
-    }
-}
-
-
 void Foam::demCloud::correct(const volVectorField& U)
 {
     if (immersed_.valid())
@@ -488,8 +478,8 @@ const Foam::coupling::momentumExchange& Foam::demCloud::exchanged() const
     if (!exchanged_.valid())
     {
         FatalIOErrorInFunction(dict_)
-            << "This solver is for bodies that are points to the fluid and"
-            << " act on it: coupling twoWay, forces, voidFraction."
+            << "This solver is for bodies that act on the fluid: coupling"
+            << " twoWay with immersed, or with forces and voidFraction."
             << exit(FatalIOError);
     }
     return *exchanged_;

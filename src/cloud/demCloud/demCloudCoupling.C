@@ -220,20 +220,39 @@ void Foam::demCloud::readCoupling(const fluidAccess access)
     }
     if (immersedBodies())
     {
-        immersed_.reset
+        const dictionary& immersed = dict_.subDict("immersed");
+        immersed_ = coupling::immersedMethod::New
         (
-            new coupling::implicitForcing
-            (
-                mesh_,
-                bins_,
-                *dem_,
-                kinds_,
-                *rho_,
-                dict_.subDict("immersed")
-            )
+            coupling::immersedScene{mesh_, bins_, *dem_, kinds_, *rho_},
+            immersed,
+            access == fluidAccess::share
         );
+        if (immersed_->inPressureLoop() && points_.valid())
+        {
+            dem::badEntry
+            (
+                immersed,
+                "type",
+                "takes all of a cell for fluid, but with forces the bodies"
+                " that are points leave\n    the fluid a part of it only; take"
+                " type implicitForcing"
+            );
+        }
     }
     readInterval(access);
+}
+
+
+Foam::scalar Foam::demCloud::maxDeltaT()
+{
+    return
+        interval_.valid()
+      ? interval_->maxDeltaT
+        (
+            dem_->state(),
+            points_.valid() ? points_.get() : nullptr
+        )
+      : GREAT;
 }
 
 

@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "demCloud.H"
+#include "advancingBodies.H"
 
 // * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
 
@@ -72,7 +73,7 @@ void Foam::demCloud::advanceBodies(const scalar t0, const scalar t1)
 {
     const bool pushed =
         immersed_.valid() && coupling_ == "twoWay" && dem_->moves();
-    const coupling::implicitForcing::advancing along
+    const coupling::advancingBodies along
     (
         pushed ? immersed_.get() : nullptr
     );

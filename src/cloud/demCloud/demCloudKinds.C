@@ -116,6 +116,32 @@ void Foam::demCloud::startForces(const label firstNew)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::demCloud::addImmersed(fvMatrix<vector>& eqn)
+{
+    if (immersed_.valid())
+    {
+        ledger::entry e(ledger_, "forcing of the fluid");
+        immersed_->addTo(eqn);
+    }
+}
+
+
+void Foam::demCloud::correctImmersed(vectorField& H)
+{
+    if (immersed_.valid() && immersed_->inPressureLoop())
+    {
+        ledger::entry e(ledger_, "forcing of the fluid");
+        immersed_->correctForcing(H);
+    }
+}
+
+
+bool Foam::demCloud::exchanges() const
+{
+    return exchanged_.valid();
+}
+
+
 bool Foam::demCloud::fillsCells() const
 {
     return immersed_.valid();

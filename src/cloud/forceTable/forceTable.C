@@ -50,7 +50,7 @@ void Foam::forceTable::write
 (
     const scalar t,
     const dem::bodies& state,
-    const coupling::implicitForcing& immersed
+    const coupling::immersedMethod& immersed
 )
 {
     if (!Pstream::master())

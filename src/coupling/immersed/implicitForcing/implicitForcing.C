@@ -10,79 +10,31 @@ License
 
 #include "implicitForcing.H"
 #include "allowedKeys.H"
-#include "checkedEntry.H"
-#include "rankSum.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace coupling
+{
+    defineTypeNameAndDebug(implicitForcing, 0);
+    addToRunTimeSelectionTable(immersedMethod, implicitForcing, dictionary);
+}
+}
+
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::coupling::implicitForcing::addCells
-(
-    const label b,
-    const vector& shift
-)
+void Foam::coupling::implicitForcing::setForcing(const volVectorField& U)
 {
-    const dem::bodies& state = dem_.state();
-    const bodyGeometry body(state, b, solved_, shift);
-    const point centre = state.x[b] + shift;
-    DynamicList<bodyCell>& cells = cells_[b];
-
-    bins_.forEach
-    (
-        centre,
-        state.shapeOf(b).fluidRadius(),
-        [&](const label c)
-        {
-            const scalar beta = fraction_(body, c, bins_.radius(c));
-            if (beta > 0)
-            {
-                bodyCell bc{c, beta, mesh_.C()[c] - centre};
-                bc.tight = beta;
-                bc.rho = rho_[c];
-                if (beta < 1)
-                {
-                    bc.phi = body.distance(mesh_.C()[c]);
-                    bc.n = body.normal(mesh_.C()[c]);
-                    bc.tight = tightFraction(body, bc);
-                }
-                cells.append(bc);
-            }
-        }
-    );
-}
-
-
-void Foam::coupling::implicitForcing::findCells(const label b)
-{
-    const dem::bodies& state = dem_.state();
-
-    cells_[b].clear();
-    addCells(b, Zero);
-    dem_.period().forEachImage
-    (
-        state.x[b],
-        state.shapeOf(b).fluidRadius(),
-        [&](const label image)
-        {
-            addCells(b, dem_.period().shift(image));
-        }
-    );
-}
-
-
-void Foam::coupling::implicitForcing::checkScheme() const
-{
-    const word scheme
-    (
-        mesh_.ddtScheme("ddt(U)")
-    );
-    if (dem_.moves() && scheme != "Euler")
+    const knownFlow flow(sides_, U);
+    forAll(cells_, b)
     {
-        FatalErrorInFunction
-            << "Bodies that move need ddtSchemes { default Euler; } in "
-            << mesh_.thisDb().time().system() << "/fvSchemes, not " << scheme
-            << "." << nl
-            << "    With backward and CrankNicolson the motion of a body is"
-            << " not stable." << exit(FatalError);
+        for (bodyCell& bc : cells_[b])
+        {
+            setLaw(b, bc, flow);
+        }
     }
 }
 
@@ -91,250 +43,13 @@ void Foam::coupling::implicitForcing::checkScheme() const
 
 Foam::coupling::implicitForcing::implicitForcing
 (
-    const fvMesh& mesh,
-    const cellBins& bins,
-    dem::demSolver& dem,
-    const bodyKinds& kinds,
-    const fluidDensity& rho,
+    const immersedScene& scene,
     const dictionary& dict
 )
 :
-    mesh_(mesh),
-    bins_(bins),
-    dem_(dem),
-    kinds_(kinds),
-    rho_(rho),
-    kappa_(1000),
-    viscousRate_(20),
-    virtualMass_(1.5),
-    solved_(vector::one),
-    thickness_(0),
-    // Cells that are long in an empty direction are cut deeper; bodies do not
-    // move there, so it is done once
-    fraction_(mesh, mesh.nSolutionD() < 3 ? 5 : 1),
-    open_(false),
-    volumeError_(0),
-    slip_(0)
+    immersedMethod(scene, dict)
 {
-    dem::checkKeys
-    (
-        dict,
-        {
-            "type", "kappa", "viscousRate", "virtualMass", "outerCorrectors",
-            "lubrication"
-        }
-    );
-    dem::getChoice(dict, "type", {"implicitForcing"});
-    kappa_ = dem::getPositive(dict, "kappa", 1000);
-    viscousRate_ = dem::getPositive(dict, "viscousRate", 20);
-    virtualMass_ = dem::getInRange(dict, "virtualMass", 0, 10, 1.5);
-    repeat_ = motionRepeat::New(mesh, dict);
-
-    for (direction d = 0; d < 3; ++d)
-    {
-        solved_[d] = mesh.solutionD()[d] > 0 ? 1 : 0;
-        if (!(solved_[d] > 0))
-        {
-            thickness_ = mesh.bounds().span()[d];
-        }
-    }
-
-    checkScheme();
-}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::coupling::implicitForcing::project(const volVectorField& U)
-{
-    const dem::bodies& state = dem_.state();
-    const label n = state.size();
-
-    cells_.setSize(n);
-    imposed_.setSize(n);
-    List<scalar> volume(n, scalar(0));
-
-    delta_.setSize(mesh_.boundary().size());
-    forAll(delta_, p)
-    {
-        delta_[p] =
-            mesh_.boundary()[p].coupled()
-          ? vectorField(mesh_.boundary()[p].delta())
-          : vectorField();
-    }
-
-    links_.clear();
-    for (label b = 0; b < n; ++b)
-    {
-        imposed_[b] = imposedMotion{state.v[b], state.omega[b]};
-        cells_[b].clear();
-        if (!kinds_.resolved(b))
-        {
-            continue;
-        }
-        findCells(b);
-        for (const bodyCell& bc : cells_[b])
-        {
-            volume[b] += bc.beta*mesh_.V()[bc.cell];
-        }
-    }
-
-    findFriction();
-
-    dem::sumOverRanks(volume);
-    volumeError_ = 0;
-    if (solved_ == vector::one)
-    {
-        forAll(volume, b)
-        {
-            const scalar exact = state.shapeOf(b).fluidVolume();
-            if (kinds_.resolved(b))
-            {
-                volumeError_ = max(volumeError_, mag(volume[b]/exact - 1));
-            }
-        }
-    }
-
-    startImposed(U);
-    if (repeat_.valid())
-    {
-        repeat_->start(imposed_);
-    }
-    open_ = true;
-}
-
-
-void Foam::coupling::implicitForcing::addTo(fvMatrix<vector>& eqn)
-{
-    const volVectorField& U = eqn.psi();
-    const List<vectorField> otherU(otherSide(U));
-    const faceViscosity nu(mesh_);
-    if (repeat_.valid())
-    {
-        repeat_->next(dem_.state(), imposed_);
-    }
-
-    diagonal_.setSize(mesh_.nCells());
-    diagonal_ = 0;
-    source_.setSize(mesh_.nCells());
-    source_ = vector(Zero);
-    viscosity_.setSize(cells_.size());
-    viscosity_ = 0;
-
-    forAll(cells_, b)
-    {
-        for (bodyCell& bc : cells_[b])
-        {
-            if (bc.beta < 1)
-            {
-                setCut(b, bc, U, otherU, nu);
-                viscosity_[b] = max(viscosity_[b], nu.inCell(bc.cell));
-            }
-            else
-            {
-                bc.target = imposed_[b].at(bc.r);
-                bc.K = kappa_/mesh_.time().deltaTValue();
-            }
-            bc.rho = rho_[bc.cell];
-            const scalar V = mesh_.V()[bc.cell]*(rho_.isField() ? bc.rho : 1);
-            const scalar KV = bc.K*V;
-            diagonal_[bc.cell] += KV;
-            source_[bc.cell] += KV*bc.target + V*bc.push;
-        }
-    }
-
-    if (dem_.moves())
-    {
-        dem::maxOverRanks(viscosity_);
-    }
-
-    // The solver subtracts eqn from its own equation
-    eqn.diag() -= diagonal_;
-    eqn.source() -= source_;
-}
-
-
-void Foam::coupling::implicitForcing::sumForces(const volVectorField& U)
-{
-    const dem::bodies& state = dem_.state();
-
-    force_.setSize(state.size());
-    torque_.setSize(state.size());
-
-    forAll(cells_, b)
-    {
-        vector F(Zero);
-        vector T(Zero);
-        for (const bodyCell& bc : cells_[b])
-        {
-            const vector f =
-                (bc.rho*mesh_.V()[bc.cell])
-               *(bc.K*(U[bc.cell] - bc.target) - bc.push);
-            F += f;
-            T += bc.r ^ f;
-        }
-        force_[b] = F;
-        torque_[b] = T;
-    }
-
-    dem::sumOverRanks(force_);
-    dem::sumOverRanks(torque_);
-}
-
-
-void Foam::coupling::implicitForcing::sumFriction(const volVectorField& U)
-{
-    const dem::bodies& state = dem_.state();
-    const faceViscosity nu(mesh_);
-
-    friction_.setSize(state.size());
-    frictionTorque_.setSize(state.size());
-    forAll(cells_, b)
-    {
-        vector F(Zero);
-        vector T(Zero);
-        const imposedMotion& w = imposed_[b];
-        for (const bodyCell& bc : cells_[b])
-        {
-            const vector& UP = U[bc.cell];
-            for (label k = bc.link; k < bc.link + bc.nLinks; ++k)
-            {
-                const wallLink& l = links_[k];
-                const vector f =
-                    (bc.rho*mesh_.V()[bc.cell]*nu(l.face, bc.cell)*l.g)
-                   *((1/l.theta - 1)*(UP - w.at(bc.r)) + UP - w.at(l.r));
-                F += f;
-                T += (bc.r + l.theta*(l.r - bc.r)) ^ f;
-            }
-        }
-        friction_[b] = F;
-        frictionTorque_[b] = T;
-    }
-
-    dem::sumOverRanks(friction_);
-    dem::sumOverRanks(frictionTorque_);
-}
-
-
-Foam::vector Foam::coupling::implicitForcing::forceOnFluid
-(
-    const volVectorField& U
-) const
-{
-    vector F(Zero);
-    forAll(source_, c)
-    {
-        F += source_[c] - diagonal_[c]*U[c];
-    }
-    return
-        (rho_.isField() ? 1 : rho_.uniform())
-       *returnReduce(F, sumOp<vector>());
-}
-
-
-Foam::vector Foam::coupling::implicitForcing::forceOnBodies() const
-{
-    return sum(force_);
+    dem::checkKeys(dict, commonKeys({}));
 }
 
 

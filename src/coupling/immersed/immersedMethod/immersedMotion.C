@@ -8,7 +8,7 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "implicitForcing.H"
+#include "immersedMethod.H"
 #include "rankSum.H"
 
 // * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
@@ -24,7 +24,7 @@ const Foam::scalar atWall = 1.606;
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::coupling::implicitForcing::startImposed(const volVectorField& U)
+void Foam::coupling::immersedMethod::startImposed(const volVectorField& U)
 {
     const dem::bodies& state = dem_.state();
 
@@ -77,7 +77,7 @@ void Foam::coupling::implicitForcing::startImposed(const volVectorField& U)
 }
 
 
-void Foam::coupling::implicitForcing::findDisplaced()
+void Foam::coupling::immersedMethod::findDisplaced()
 {
     const dem::bodies& state = dem_.state();
     displaced_.setSize(state.size());
@@ -134,7 +134,7 @@ void Foam::coupling::implicitForcing::findDisplaced()
 
 
 const Foam::coupling::addedMass&
-Foam::coupling::implicitForcing::addedOf(const label b)
+Foam::coupling::immersedMethod::addedOf(const label b)
 {
     const dem::shape& s = dem_.state().shapeOf(b);
     if (!added_.found(s.name()))
@@ -149,7 +149,7 @@ Foam::coupling::implicitForcing::addedOf(const label b)
 }
 
 
-void Foam::coupling::implicitForcing::move(const label b)
+void Foam::coupling::immersedMethod::move(const label b)
 {
     dem::bodies& state = dem_.state();
     const imposedMotion& old = imposed0_[state.id[b]];
@@ -249,7 +249,7 @@ void Foam::coupling::implicitForcing::move(const label b)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::vector Foam::coupling::implicitForcing::startForce
+Foam::vector Foam::coupling::immersedMethod::startForce
 (
     const label b,
     const bool twoWay
@@ -287,7 +287,7 @@ Foam::vector Foam::coupling::implicitForcing::startForce
 }
 
 
-void Foam::coupling::implicitForcing::store()
+void Foam::coupling::immersedMethod::store()
 {
     const dem::bodies& state = dem_.state();
     v0_ = state.v;
@@ -296,7 +296,7 @@ void Foam::coupling::implicitForcing::store()
 }
 
 
-void Foam::coupling::implicitForcing::takeAlong()
+void Foam::coupling::immersedMethod::takeAlong()
 {
     dem::bodies& state = dem_.state();
     if (state.drag || rho_.isField())
@@ -333,7 +333,7 @@ void Foam::coupling::implicitForcing::takeAlong()
 }
 
 
-void Foam::coupling::implicitForcing::letGo()
+void Foam::coupling::immersedMethod::letGo()
 {
     dem::bodies& state = dem_.state();
     if (state.drag == &along_)
@@ -344,7 +344,7 @@ void Foam::coupling::implicitForcing::letGo()
 }
 
 
-void Foam::coupling::implicitForcing::correctMotion()
+void Foam::coupling::immersedMethod::correctMotion()
 {
     const dem::bodies& state = dem_.state();
     findDisplaced();
@@ -365,39 +365,39 @@ void Foam::coupling::implicitForcing::correctMotion()
 }
 
 
-bool Foam::coupling::implicitForcing::acts(const label b) const
+bool Foam::coupling::immersedMethod::acts(const label b) const
 {
     return kinds_.resolved(b);
 }
 
 
 const Foam::vector&
-Foam::coupling::implicitForcing::force(const label b) const
+Foam::coupling::immersedMethod::force(const label b) const
 {
     return force_[b];
 }
 
 
 const Foam::vector&
-Foam::coupling::implicitForcing::torque(const label b) const
+Foam::coupling::immersedMethod::torque(const label b) const
 {
     return torque_[b];
 }
 
 
-Foam::vector Foam::coupling::implicitForcing::contactForce(const label b) const
+Foam::vector Foam::coupling::immersedMethod::contactForce(const label b) const
 {
     return contactForce_.empty() ? vector(Zero) : contactForce_[b];
 }
 
 
-Foam::vector Foam::coupling::implicitForcing::contactTorque(const label b) const
+Foam::vector Foam::coupling::immersedMethod::contactTorque(const label b) const
 {
     return contactTorque_.empty() ? vector(Zero) : contactTorque_[b];
 }
 
 
-Foam::vector Foam::coupling::implicitForcing::fluidForce(const label b) const
+Foam::vector Foam::coupling::immersedMethod::fluidForce(const label b) const
 {
     if (contactForce_.empty())
     {
@@ -411,7 +411,7 @@ Foam::vector Foam::coupling::implicitForcing::fluidForce(const label b) const
 }
 
 
-Foam::vector Foam::coupling::implicitForcing::fluidTorque(const label b) const
+Foam::vector Foam::coupling::immersedMethod::fluidTorque(const label b) const
 {
     if (contactTorque_.empty())
     {
@@ -424,7 +424,7 @@ Foam::vector Foam::coupling::implicitForcing::fluidTorque(const label b) const
 
 
 Foam::coupling::carriedMotion
-Foam::coupling::implicitForcing::carriedOf(const label b) const
+Foam::coupling::immersedMethod::carriedOf(const label b) const
 {
     const dem::bodies& state = dem_.state();
     carriedMotion c{{state.v[b], state.omega[b]}, Zero, Zero};
@@ -448,7 +448,7 @@ Foam::coupling::implicitForcing::carriedOf(const label b) const
 }
 
 
-void Foam::coupling::implicitForcing::setCarried
+void Foam::coupling::immersedMethod::setCarried
 (
     const label b,
     const carriedMotion& c
@@ -464,7 +464,7 @@ void Foam::coupling::implicitForcing::setCarried
 }
 
 
-void Foam::coupling::implicitForcing::finish()
+void Foam::coupling::immersedMethod::finish()
 {
     if (!open_)
     {

@@ -8,19 +8,19 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "implicitForcing.H"
+#include "immersedMethod.H"
 #include "rankSum.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::coupling::implicitForcing::edge(const label cell) const
+Foam::scalar Foam::coupling::immersedMethod::edge(const label cell) const
 {
     const scalar V = mesh_.V()[cell];
     return thickness_ > 0 ? sqrt(V/thickness_) : cbrt(V);
 }
 
 
-Foam::scalar Foam::coupling::implicitForcing::tightFraction
+Foam::scalar Foam::coupling::immersedMethod::tightFraction
 (
     const bodyGeometry& body,
     const bodyCell& bc
@@ -42,84 +42,7 @@ Foam::scalar Foam::coupling::implicitForcing::tightFraction
 }
 
 
-bool Foam::coupling::implicitForcing::across
-(
-    const label face,
-    const label cell,
-    vector& d
-) const
-{
-    if (mesh_.isInternalFace(face))
-    {
-        const label o = mesh_.faceOwner()[face];
-        const label other = o == cell ? mesh_.faceNeighbour()[face] : o;
-        d = mesh_.C()[other] - mesh_.C()[cell];
-        return true;
-    }
-
-    const label p = mesh_.boundaryMesh().whichPatch(face);
-    if (delta_[p].empty())
-    {
-        return false;
-    }
-    d = delta_[p][face - mesh_.boundary()[p].start()];
-    return true;
-}
-
-
-Foam::scalar Foam::coupling::implicitForcing::conductance
-(
-    const label face
-) const
-{
-    if (mesh_.isInternalFace(face))
-    {
-        return mesh_.magSf()[face]*mesh_.nonOrthDeltaCoeffs()[face];
-    }
-    const label p = mesh_.boundaryMesh().whichPatch(face);
-    const label k = face - mesh_.boundary()[p].start();
-    return
-        mesh_.magSf().boundaryField()[p][k]
-       *mesh_.nonOrthDeltaCoeffs().boundaryField()[p][k];
-}
-
-
-const Foam::vector& Foam::coupling::implicitForcing::acrossU
-(
-    const label face,
-    const label cell,
-    const volVectorField& U,
-    const List<vectorField>& otherU
-) const
-{
-    if (mesh_.isInternalFace(face))
-    {
-        const label o = mesh_.faceOwner()[face];
-        return U[o == cell ? mesh_.faceNeighbour()[face] : o];
-    }
-    const label p = mesh_.boundaryMesh().whichPatch(face);
-    return otherU[p][face - mesh_.boundary()[p].start()];
-}
-
-
-Foam::List<Foam::vectorField> Foam::coupling::implicitForcing::otherSide
-(
-    const volVectorField& U
-) const
-{
-    List<vectorField> other(mesh_.boundary().size());
-    forAll(other, p)
-    {
-        if (mesh_.boundary()[p].coupled())
-        {
-            other[p] = U.boundaryField()[p].patchNeighbourField();
-        }
-    }
-    return other;
-}
-
-
-void Foam::coupling::implicitForcing::findLinks
+void Foam::coupling::immersedMethod::findLinks
 (
     const bodyGeometry& body,
     bodyCell& bc
@@ -130,7 +53,7 @@ void Foam::coupling::implicitForcing::findLinks
     for (const label f : mesh_.cells()[bc.cell])
     {
         vector d;
-        if (!across(f, bc.cell, d))
+        if (!sides_.across(f, bc.cell, d))
         {
             continue;
         }
@@ -143,14 +66,14 @@ void Foam::coupling::implicitForcing::findLinks
         // How far the surface is on the way to the centre inside. Where it is
         // next to nothing the cell has the body's velocity
         const scalar theta = max(bc.phi/(bc.phi - inside), 1e-6);
-        const scalar g = conductance(f)/mesh_.V()[bc.cell];
+        const scalar g = sides_.conductance(f)/mesh_.V()[bc.cell];
         links_.append(wallLink{f, g, theta, bc.r + d});
     }
     bc.nLinks = links_.size() - bc.link;
 }
 
 
-void Foam::coupling::implicitForcing::addNeighbours
+void Foam::coupling::immersedMethod::addNeighbours
 (
     const label b,
     const vector& shift,
@@ -198,7 +121,7 @@ void Foam::coupling::implicitForcing::addNeighbours
 }
 
 
-void Foam::coupling::implicitForcing::findFriction()
+void Foam::coupling::immersedMethod::findFriction()
 {
     const dem::bodies& state = dem_.state();
 
@@ -250,13 +173,28 @@ void Foam::coupling::implicitForcing::findFriction()
 }
 
 
-void Foam::coupling::implicitForcing::setCut
+void Foam::coupling::immersedMethod::setLaw
 (
     const label b,
     bodyCell& bc,
-    const volVectorField& U,
-    const List<vectorField>& otherU,
-    const faceViscosity& nu
+    const knownFlow& flow
+) const
+{
+    if (bc.beta < 1)
+    {
+        setCut(b, bc, flow);
+        return;
+    }
+    bc.target = imposed_[b].at(bc.r);
+    bc.K = kappa_/mesh_.time().deltaTValue();
+}
+
+
+void Foam::coupling::immersedMethod::setCut
+(
+    const label b,
+    bodyCell& bc,
+    const knownFlow& flow
 ) const
 {
     const scalar dt = mesh_.time().deltaTValue();
@@ -270,21 +208,20 @@ void Foam::coupling::implicitForcing::setCut
     {
         Kv =
             bc.beta/max(1 - bc.beta, SMALL)
-           *viscousRate_*nu.inCell(bc.cell)/sqr(edge(bc.cell));
+           *viscousRate_*flow.nu.inCell(bc.cell)/sqr(edge(bc.cell));
     }
     for (label k = bc.link; k < bc.link + bc.nLinks; ++k)
     {
         const wallLink& l = links_[k];
-        const scalar nug = nu(l.face, bc.cell)*l.g;
+        const scalar nug = flow.nu(l.face, bc.cell)*l.g;
         Kv += nug*(1/l.theta - 1);
         bc.push +=
-            nug
-           *(imposed_[b].at(l.r) - acrossU(l.face, bc.cell, U, otherU));
+            nug*(imposed_[b].at(l.r) - flow.across(l.face, bc.cell));
     }
 
     // The mixture: tight across the surface, free along it
     const imposedMotion& old = imposed0_[dem_.state().id[b]];
-    const vector& Un = U.oldTime()[bc.cell];
+    const vector& Un = flow.U.oldTime()[bc.cell];
     const vector dUb = Ub - old.at(bc.r);
     const auto across = [&](const vector& along)
     {
