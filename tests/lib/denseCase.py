@@ -13,12 +13,14 @@
 #         terminal()          velocity of one of them [m/s]
 #         fastest(case, (0.1, 0.2))       of the fluid, at these times [m/s]
 #         centres = cloud(55, (6e-3, 6e-3), (14e-3, 22e-3))
+#         addStone(case, (8e-3, 8e-3, 17e-3), 8e-3, "immersed { ... } ...")
 #------------------------------------------------------------------------------
 import os
 import re
 
 import numpy as np
 
+from badInput import edit
 from cases import setEntry
 from cloudCase import copyCase, runIn
 
@@ -135,3 +137,18 @@ def cloud(number, across, heights):
         if not centres or np.min(np.linalg.norm(away, axis=1)) > 1.02*d:
             centres.append(x)
     return centres
+
+
+def addStone(case, x, diameter, more="", density=2500):
+    """Add a sphere that is resolved, if more says so."""
+    edit(case, properties, "shapes\n{", "shapes\n{\n    stone { type sphere;"
+         " diameter %g; }" % diameter)
+    edit(case, properties, "materials\n{", "materials\n{\n    heavy { density"
+         " %g; youngsModulus 5e6; poissonsRatio 0.45; }" % density)
+    edit(case, properties, "pairs\n{", "pairs\n{\n"
+         "    heavy-heavy { restitution 0.3; friction 0.5; }\n"
+         "    glass-heavy { restitution 0.3; friction 0.5; }")
+    edit(case, "constant/bed", "bodies\n{", "bodies\n{\n    stone { shape"
+         " stone; material heavy; position (%g %g %g); }" % x)
+    with open(case + "/" + properties, "a") as out:
+        out.write(more)

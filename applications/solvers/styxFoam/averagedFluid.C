@@ -69,6 +69,22 @@ void Foam::averagedFluid::updateAlpha()
 }
 
 
+void Foam::averagedFluid::balanceFlux()
+{
+    // What faces that are new have, between ranks as well, depends on the
+    // order in which the mesh was cut
+    allFluid_->correctBoundaryConditions();
+    U_.correctBoundaryConditions();
+    U_.oldTime().correctBoundaryConditions();
+    p_.correctBoundaryConditions();
+    updateAlpha();
+    phi_ = fvc::flux(U_);
+    projectFlux();
+    phi_.oldTime() = phi_;
+    alphaPhi_ = alphaf_*phi_;
+}
+
+
 void Foam::averagedFluid::checkScheme(const word& name) const
 {
     const word scheme(mesh_.ddtScheme(name));
@@ -203,6 +219,11 @@ void Foam::averagedFluid::updateMesh()
     {
         // Where faces are new, the flux of the pressure's last solution is
         // not there; that of the step follows from its own
+        if (allFluid_.valid())
+        {
+            balanceFlux();
+            return;
+        }
         updateAlpha();
     }
 }

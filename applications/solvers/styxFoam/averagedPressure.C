@@ -13,6 +13,7 @@ License
 #include "constrainHbyA.H"
 #include "constrainPressure.H"
 #include "fvc.H"
+#include "fixedValueFvPatchFields.H"
 #include "fvm.H"
 #include "zeroGradientFvPatchFields.H"
 
@@ -136,6 +137,48 @@ Foam::tmp<Foam::volVectorField> Foam::averagedFluid::faceShift() const
 }
 
 
+Foam::tmp<Foam::volScalarField> Foam::averagedFluid::projectFlux()
+{
+    // Free where the pressure is
+    wordList types
+    (
+        p_.boundaryField().size(),
+        zeroGradientFvPatchScalarField::typeName
+    );
+    forAll(types, patch)
+    {
+        if (p_.boundaryField()[patch].fixesValue())
+        {
+            types[patch] = fixedValueFvPatchScalarField::typeName;
+        }
+    }
+    tmp<volScalarField> made
+    (
+        new volScalarField
+        (
+            IOobject("projection", mesh_.time().timeName(), mesh_),
+            mesh_,
+            dimensionedScalar("0", p_.dimensions(), 0),
+            types
+        )
+    );
+    volScalarField& q = made.ref();
+    mesh_.setFluxRequired(q.name());
+    const dimensionedScalar& dt = mesh_.time().deltaT();
+    while (pimple_.correctNonOrthogonal())
+    {
+        fvScalarMatrix qEqn(fvm::laplacian(dt, q) == fvc::div(phi_));
+        qEqn.setReference(pRefCell_, 0);
+        qEqn.solve(mesh_.solver(p_.select(true)));
+        if (pimple_.finalNonOrthogonalIter())
+        {
+            phi_ -= qEqn.flux();
+        }
+    }
+    return made;
+}
+
+
 void Foam::averagedFluid::reportContinuity()
 {
     const volScalarField error(fvc::ddt(alpha()) + fvc::div(alphaPhi_));
@@ -226,6 +269,26 @@ void Foam::averagedFluid::correctPressure()
     }
     U_ = HbyA - rAU*faceForce(force);
     U_.correctBoundaryConditions();
+    cloud_.correct(U_);
+}
+
+
+void Foam::averagedFluid::imposeBodies()
+{
+    if (!cloud_.imposes() || !pimple_.finalIter())
+    {
+        return;
+    }
+
+    const volVectorField free("free", U_);
+    cloud_.impose(U_);
+    phi_ += fvc::flux(U_ - free);
+
+    const tmp<volScalarField> q(projectFlux());
+    alphaPhi_ = alphaf_*phi_;
+    U_ -= mesh_.time().deltaT()*fvc::grad(q());
+    U_.correctBoundaryConditions();
+    p_ += q;
     cloud_.correct(U_);
 }
 

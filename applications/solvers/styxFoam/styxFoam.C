@@ -11,9 +11,9 @@ Application
 
 Description
     Dense flow: an incompressible fluid between bodies that are smaller than
-    its cells and take volume from it. Transient, laminar or turbulent, on
-    meshes that stay or refine. The bodies are those of
-    constant/demCloudProperties with coupling twoWay.
+    its cells and take volume from it, and bodies that are larger than cells.
+    Transient, laminar or turbulent, on meshes that stay or refine. The bodies
+    are those of constant/demCloudProperties with coupling twoWay.
 
 \*---------------------------------------------------------------------------*/
 
@@ -55,6 +55,7 @@ int main(int argc, char *argv[])
                 {
                     fluid.correctPressure();
                 }
+                fluid.imposeBodies();
                 fluid.correctTurbulence();
             }
 

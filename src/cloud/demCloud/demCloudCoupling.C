@@ -227,7 +227,7 @@ void Foam::demCloud::readCoupling(const fluidAccess access)
             immersed,
             access == fluidAccess::share
         );
-        if (immersed_->inPressureLoop() && points_.valid())
+        if (immersed_->asksSolver() && points_.valid())
         {
             dem::badEntry
             (

@@ -128,11 +128,24 @@ void Foam::demCloud::addImmersed(fvMatrix<vector>& eqn)
 
 void Foam::demCloud::correctImmersed(vectorField& H)
 {
-    if (immersed_.valid() && immersed_->inPressureLoop())
+    if (immersed_.valid() && immersed_->asksSolver())
     {
         ledger::entry e(ledger_, "forcing of the fluid");
         immersed_->correctForcing(H);
     }
+}
+
+
+bool Foam::demCloud::imposes() const
+{
+    return immersed_.valid() && immersed_->imposes();
+}
+
+
+void Foam::demCloud::impose(volVectorField& U)
+{
+    ledger::entry e(ledger_, "forcing of the fluid");
+    immersed_->impose(U);
 }
 
 

@@ -166,14 +166,14 @@ Foam::coupling::immersedMethod::New
     (
         dictionaryConstructorTablePtr_->cfind(type).val()(scene, dict)
     );
-    if (method->inPressureLoop() && !asks)
+    if (method->asksSolver() && !asks)
     {
         dem::badEntry
         (
             dict,
             "type",
-            "is " + type + ", which changes its force in each pressure"
-            " corrector; the solver must ask for that.\n"
+            "is " + type + ", which acts in each pressure corrector or after"
+            " the last; the solver must ask for that.\n"
             "    Run styxFoam, or take type implicitForcing, which needs no"
             " more than fvOptions"
         );
@@ -249,6 +249,46 @@ void Foam::coupling::immersedMethod::project(const volVectorField& U)
 }
 
 
+void Foam::coupling::immersedMethod::findViscosity(const faceViscosity& nu)
+{
+    if (!dem_.moves())
+    {
+        return;
+    }
+    viscosity_.setSize(cells_.size());
+    viscosity_ = 0;
+    forAll(cells_, b)
+    {
+        for (const bodyCell& bc : cells_[b])
+        {
+            if (bc.beta < 1)
+            {
+                viscosity_[b] = max(viscosity_[b], nu.inCell(bc.cell));
+            }
+        }
+    }
+    dem::maxOverRanks(viscosity_);
+}
+
+
+bool Foam::coupling::immersedMethod::asksSolver() const
+{
+    return false;
+}
+
+
+bool Foam::coupling::immersedMethod::imposes() const
+{
+    return false;
+}
+
+
+Foam::scalar Foam::coupling::immersedMethod::slip() const
+{
+    return slip_;
+}
+
+
 void Foam::coupling::immersedMethod::assemble()
 {
     diagonal_.setSize(mesh_.nCells());
@@ -276,7 +316,9 @@ void Foam::coupling::immersedMethod::addTo(fvMatrix<vector>& eqn)
     {
         repeat_->next(dem_.state(), imposed_);
     }
-    setForcing(eqn.psi());
+    const knownFlow flow(sides_, eqn.psi());
+    findViscosity(flow.nu);
+    setForcing(flow);
     assemble();
 
     // The solver subtracts eqn from its own equation

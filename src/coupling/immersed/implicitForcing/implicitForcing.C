@@ -26,9 +26,8 @@ namespace coupling
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::coupling::implicitForcing::setForcing(const volVectorField& U)
+void Foam::coupling::implicitForcing::setForcing(const knownFlow& flow)
 {
-    const knownFlow flow(sides_, U);
     forAll(cells_, b)
     {
         for (bodyCell& bc : cells_[b])

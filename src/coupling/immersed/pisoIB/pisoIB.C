@@ -50,7 +50,7 @@ void Foam::coupling::pisoIB::cellsFound()
 }
 
 
-void Foam::coupling::pisoIB::setForcing(const volVectorField&)
+void Foam::coupling::pisoIB::setForcing(const knownFlow&)
 {
     // The cells have their f and no rate
     assemble();
