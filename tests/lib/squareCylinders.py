@@ -11,15 +11,20 @@
 #         table = compare(8, ["30"], ["fitted", "surface"])
 #             of each shape and Reynolds number the drag coefficient and the
 #             length of the recirculation over D
+#         compare(12, ["200"], ["fitted"], sheds=9)
+#             where vortices are shed: 9 s, from a flow that starts across,
+#             second order in time
 #------------------------------------------------------------------------------
 import os
 import re
 import subprocess
 
+from badInput import edit
+from cases import setEntry
 from cloudCase import copyCase, runIn
 
 
-def compare(cells, numbers, shapes):
+def compare(cells, numbers, shapes, sheds=0):
     case = copyCase(os.environ["STYX_DIR"]
                     + "/tutorials/resolved/squareCylinder", "square")
     for Re in numbers:
@@ -27,6 +32,16 @@ def compare(cells, numbers, shapes):
             folder = "square/runs/%s_%s" % (shape, Re)
             subprocess.check_call(["./makeCase", shape, Re, str(cells),
                                    "runs/%s_%s" % (shape, Re)], cwd="square")
+            if sheds:
+                setEntry(folder + "/system/controlDict", "endTime", "%g" % sheds)
+                setEntry(folder + "/system/controlDict", "writeInterval",
+                         "%g" % sheds)
+                setEntry(folder + "/system/fvSchemes", "ddtSchemes/default",
+                         "backward")
+                setEntry(folder + "/system/fvSolution",
+                         "PIMPLE/nOuterCorrectors", "2")
+                edit(folder, "0/U", "uniform (0.0667 0 0)",
+                     "uniform (0.0667 0.03 0)")
             runIn(folder, "blockMesh")
             runIn(folder, "pimpleFoam")
     out = subprocess.check_output(["./results"], cwd=case).decode()
