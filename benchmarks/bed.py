@@ -196,7 +196,7 @@ def liggghts(folder, state, width, core):
 
 
 def run(name, n, width, bar, instructions="auto", repeats=3):
-    with gzip.open("%s/states/%s.txt.gz" % (here, name), "rt") as stream:
+    with gzip.open("%s/states/bed%dk.txt.gz" % (here, n//1000), "rt") as stream:
         state = np.loadtxt(stream)[:n]
     core = max(os.sched_getaffinity(0))
     first = prepare(os.getcwd() + "/case", state, width, instructions)

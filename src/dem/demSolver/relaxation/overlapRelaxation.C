@@ -71,6 +71,12 @@ void Foam::dem::overlapRelaxation::separate(const label pair, const bool move)
     const scalar rI = state_.sphereR[p.i];
     const scalar rJ = state_.sphereR[p.j];
     const scalar rMin = min(rI, rJ);
+
+    // Most have room between them
+    if (magSqr(n) >= sqr(rI + rJ + 1e-3*rMin))
+    {
+        return;
+    }
     const scalar d = mag(n);
     const scalar overlap = rI + rJ - d;
     const label a = state_.sphereBody[p.i];
@@ -203,6 +209,7 @@ Foam::dem::overlapRelaxation::overlapRelaxation
     small_(state.size())
 {
     list_.setPeriodicity(period);
+    list_.setMemory(false, false);
     forAll(small_, b)
     {
         small_[b] = state.shapeOf(b).minRadius();

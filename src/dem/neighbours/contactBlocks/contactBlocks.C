@@ -14,6 +14,16 @@ Class
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void Foam::dem::contactBlocks::setSize(memory& m, const label nBlocks) const
+{
+    const label n = nBlocks*nLanes_;
+    m.xi.setSize(slips_ ? 3*n : 0);
+    m.rate.setSize(moves_ ? 4*n : 0);
+    m.rolled.setSize(rolls_ ? 4*n : 0);
+    m.touched.assign(nBlocks, 0);
+}
+
+
 template<class Pairs>
 void Foam::dem::contactBlocks::place
 (
@@ -35,10 +45,7 @@ void Foam::dem::contactBlocks::place
     i_.assign(nBlocks*W, 8*filler.i);
     j_.assign(nBlocks*W, 8*filler.j);
     image_.assign(nImages_ ? nBlocks*W : 0, periodicity::original);
-    now_.xi.zero(slips_ ? 3*nBlocks*W : 0);
-    now_.rate.zero(moves_ ? 4*nBlocks*W : 0);
-    now_.rolled.zero(rolls_ ? 4*nBlocks*W : 0);
-    now_.touched.assign(nBlocks, 0);
+    setSize(now_, nBlocks);
     onTrial_ = false;
 
     for (label p = 0; p < n; ++p)
@@ -202,7 +209,7 @@ void Foam::dem::contactBlocks::give(sweepData& data, const bool onTrial)
 {
     if (onTrial && trial_.touched.size() != now_.touched.size())
     {
-        trial_ = now_;
+        setSize(trial_, label(now_.touched.size()));
     }
     onTrial_ = onTrial;
     memory& next = onTrial ? trial_ : now_;

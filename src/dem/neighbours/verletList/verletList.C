@@ -149,17 +149,19 @@ void Foam::dem::verletList::adaptFar(const label n)
 {
     const scalar most = 8.0*n;
     const scalar pairs = scalar(pairs_.size());
-    if (nFarSweeps_ < 40 && pairs < 0.5*most)
+
+    // To find all pairs costs a few sweeps
+    if (nFarSweeps_ < 80 && pairs < 0.5*most)
     {
         fastSkin_ *= 2;
     }
-    else if (nFarSweeps_ > 400 || pairs > most)
+    else if (nFarSweeps_ > 800 || pairs > most)
     {
         fastSkin_ *= 0.5;
     }
 
-    // Beyond eight times that of the others it would be rare to come so far
-    fastSkin_ = even_ ? skin_ : max(min(fastSkin_, 8*skin_), skin_);
+    // Beyond so many times that of the others it would be rare to come so far
+    fastSkin_ = even_ ? skin_ : max(min(fastSkin_, 16*skin_), skin_);
     nFarSweeps_ = 0;
 }
 
@@ -235,6 +237,7 @@ void Foam::dem::placement::start
     moved = 0;
     left = part*distance;
     least = worth*part*distance;
+    grain = 0.02*part*distance;
 }
 
 
@@ -242,11 +245,22 @@ bool Foam::dem::placement::over(const packedBodies& state)
 {
     if (moved > left)
     {
-        // The bound is used up: how far have they really moved?
+        // The bound is used up: how far have they really moved? A root only
+        // of those who may lower what is left by more than a grain
+        const quadPair* xv = state.spheres().xv.data();
+        const label n = x.size();
         left = GREAT;
-        forAll(x, s)
+        for (label s = 0; s < n; ++s)
         {
-            left = min(left, allowed[s] - mag(state.centre(s) - x[s]));
+            const quad& c = xv[s].first;
+            const scalar way2 =
+                sqr(c.x - x[s].x()) + sqr(c.y - x[s].y())
+              + sqr(c.z - x[s].z());
+            const scalar spare = allowed[s] - left;
+            if (spare < 0 || way2 > sqr(spare))
+            {
+                left = allowed[s] - sqrt(way2) - grain;
+            }
         }
         moved = 0;
     }

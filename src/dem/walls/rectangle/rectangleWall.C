@@ -94,9 +94,14 @@ void Foam::dem::rectangleWall::candidates
     DynamicList<label>& elements
 ) const
 {
+    // Most are far from its plane
     point p;
     vector n;
-    if (nearest(c, 0, p, n) < reach)
+    if
+    (
+        mag((c - corner_) & (along1_ ^ along2_)) < reach
+     && nearest(c, 0, p, n) < reach
+    )
     {
         elements.append(0);
     }

@@ -17,10 +17,10 @@ void Foam::dem::wallSet::findNear
     const label sphere,
     const label image,
     const point& centre,
-    const scalar reach
+    const scalar reach,
+    DynamicList<label>& elements
 )
 {
-    DynamicList<label> elements;
     forAll(walls_, w)
     {
         // What does not end is there anyway
@@ -123,6 +123,7 @@ void Foam::dem::wallSet::build
     // A wall that begins to move makes them outdated
     own_ = speed_ > 0 ? own : 0;
 
+    DynamicList<label> elements;
     for (label s = 0; s < state.nSpheres(); ++s)
     {
         if (!state.owns(state.bodyOf(s)))
@@ -134,14 +135,15 @@ void Foam::dem::wallSet::build
         const scalar reach =
             r + allowed[s] + own_ + (reaches() ? reachOf(r) : 0);
 
-        findNear(s, periodicity::original, c, reach);
+        findNear(s, periodicity::original, c, reach, elements);
         period_.forEachImage
         (
             c,
             reach,
             [&](const label image)
             {
-                findNear(s, image, c + period_.shift(image), reach);
+                const point x = c + period_.shift(image);
+                findNear(s, image, x, reach, elements);
             }
         );
     }
