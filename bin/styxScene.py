@@ -13,22 +13,28 @@
 #         coloured(Show(...), view, ("CELLS", "U"), "X", (0, 1), "Blues",
 #                  "water [m/s]", [0.6, 0.06], horizontal=True)
 #         heading("A bed", view)
+#         save(png, view, [0, -1, 0], [0, 0, 0], 20)
+#     and at the end of the script  run(main),  with main(png, time=None).
 # -----------------------------------------------------------------------------
 import os
+import sys
 
 from paraview.simple import (
     ColorBy, CreateView, GetColorTransferFunction, GetScalarBar, Glyph,
-    OpenFOAMReader, Show, Text)
+    OpenFOAMReader, SaveScreenshot, Show, Text)
 
 dark = [0.1, 0.1, 0.1]
 
 
-def openCase(size, cloud, time=None):
+def openCase(size, cloud, time=None, sky=False):
     """The case of this folder with its mesh and a cloud, a view of it on
-    white, and the written time next to the one named (else the last)."""
+    white or before a sky, and the written time next to the one named (else the
+    last)."""
     case = os.path.basename(os.getcwd()) + ".foam"
     open(case, "a").close()
     reader = OpenFOAMReader(FileName=case)
+    if os.path.isdir("processor0"):
+        reader.CaseType = "Decomposed Case"
     reader.MeshRegions = ["internalMesh", cloud]
     reader.UpdatePipelineInformation()
     times = list(reader.TimestepValues)
@@ -39,16 +45,21 @@ def openCase(size, cloud, time=None):
     view.ViewTime = time
     view.UseColorPaletteForBackground = 0
     view.Background = [1, 1, 1]
+    if sky:
+        view.BackgroundColorMode = "Gradient"
+        view.Background, view.Background2 = [0.97, 0.98, 0.99], [0.8, 0.87, 0.93]
     view.OrientationAxesVisibility = 0
     reader.UpdatePipeline(time)
     return reader, view, time
 
 
-def balls(source, diameter):
+def balls(source, diameter=None, corners=20):
+    """Spheres at points, of one diameter or each of its own."""
     glyph = Glyph(Input=source, GlyphType="Sphere")
-    glyph.GlyphType.Radius = diameter/2
-    glyph.GlyphType.ThetaResolution = glyph.GlyphType.PhiResolution = 20
-    glyph.ScaleArray = ["POINTS", "No scale array"]
+    glyph.GlyphType.Radius = diameter/2 if diameter else 0.5
+    glyph.GlyphType.ThetaResolution = glyph.GlyphType.PhiResolution = corners
+    glyph.ScaleArray = [
+        "POINTS", "No scale array" if diameter else "diameter"]
     glyph.ScaleFactor = 1
     glyph.GlyphMode = "All Points"
     return glyph
@@ -76,3 +87,28 @@ def heading(text, view, place=(0.03, 0.955), size=30):
     shown = Show(Text(Text=text), view)
     shown.WindowLocation, shown.Position = "Any Location", list(place)
     shown.FontSize, shown.Color = size, dark
+
+
+def headings(title, line, view):
+    """What it is, and in a line below when and by which solver."""
+    shown = Show(Text(Text=title), view)
+    shown.WindowLocation, shown.Position = "Any Location", [0.03, 0.935]
+    shown.FontSize, shown.Bold, shown.Color = 34, 1, [0.08, 0.12, 0.18]
+    shown = Show(Text(Text=line), view)
+    shown.WindowLocation, shown.Position = "Any Location", [0.03, 0.895]
+    shown.FontSize, shown.Color = 24, [0.25, 0.30, 0.36]
+
+
+def save(png, view, position, focus, angle):
+    """A picture from a position to a focus, the angle of view in degrees."""
+    view.CameraPosition, view.CameraFocalPoint = position, focus
+    view.CameraViewUp, view.CameraViewAngle = [0, 0, 1], angle
+    SaveScreenshot(png, view, ImageResolution=list(view.ViewSize))
+    print(f"{png}: t = {view.ViewTime:g} s")
+
+
+def run(main):
+    """Call main with the arguments of the script: FILE.png [time]."""
+    if not 2 <= len(sys.argv) <= 3:
+        sys.exit("Usage: styxRender picture.py FILE.png [time]")
+    main(sys.argv[1], *(float(word) for word in sys.argv[2:]))

@@ -15,12 +15,11 @@
 #     (else the last).
 # -----------------------------------------------------------------------------
 import os
-import sys
 
 from paraview.simple import (
     ExtractBlock, GetColorTransferFunction, GetScalarBar, Outline,
-    SaveScreenshot, Show, Slice)
-from styxScene import balls, coloured, heading, openCase
+    Show, Slice)
+from styxScene import balls, coloured, heading, openCase, run, save
 
 
 def main(png, time=None):
@@ -53,15 +52,7 @@ def main(png, time=None):
     heading(f"Five columns in water, {name[0]} cluster, t = {time:.3g} s", view,
             place=(0.03, 0.93))
 
-    view.CameraPosition = [0.14, -0.75, 0.30]
-    view.CameraFocalPoint = [0.14, 0, 0.085]
-    view.CameraViewUp = [0, 0, 1]
-    view.CameraViewAngle = 17
-    SaveScreenshot(png, view, ImageResolution=[1500, 760])
-    print(f"{png}: t = {time:g} s")
+    save(png, view, [0.14, -0.75, 0.30], [0.14, 0, 0.085], 17)
 
 
-if __name__ == "__main__":
-    if not 2 <= len(sys.argv) <= 3:
-        sys.exit("Usage: pvbatch picture.py FILE.png [time]")
-    main(sys.argv[1], *(float(word) for word in sys.argv[2:]))
+run(main)

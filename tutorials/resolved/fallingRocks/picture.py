@@ -7,7 +7,7 @@
 #     without any warranty. See the file COPYING.
 #
 # Usage
-#     xvfb-run -a pvbatch picture.py FILE.png [time]
+#     ../../../bin/styxRender picture.py FILE.png [time]
 #
 # Description
 #     Draws the case that it stands in: the rocks with the surface that they
@@ -17,19 +17,18 @@
 #     bring those of its template onto those in lagrangian/demCloudSpheres.
 # -----------------------------------------------------------------------------
 
-import os
 import re
-import sys
 
 import numpy
 from paraview.simple import (
-    ColorBy, CreateView, ExtractBlock, FeatureEdges, GetColorTransferFunction,
-    GetOpacityTransferFunction, GetScalarBar, OpenFOAMReader, Plane,
-    SaveScreenshot, Show, Slice, Text, TrivialProducer)
+    ColorBy, ExtractBlock, FeatureEdges, GetColorTransferFunction,
+    GetOpacityTransferFunction, GetScalarBar, Plane, Show, Slice,
+    TrivialProducer)
 from paraview.vtk import (
     vtkCellArray, vtkPoints, vtkPolyData, vtkUnsignedCharArray)
 from paraview.vtk.numpy_interface import dataset_adapter
 from paraview.servermanager import Fetch
+from styxScene import headings, openCase, run, save
 
 SLICE_Y = 0.012         # between the pipe's axis and its rear wall [m]
 TOP_SPEED = 0.8         # where the colours end [m/s]
@@ -101,27 +100,12 @@ def plain(shown, colour):
 
 
 def main(png, time=None):
-    case = os.path.basename(os.getcwd()) + ".foam"
-    open(case, "a").close()
-    reader = OpenFOAMReader(FileName=case)
-    if not os.path.isdir("constant/polyMesh") or os.path.isdir("processor0"):
-        reader.CaseType = "Decomposed Case"
+    reader, view, time = openCase((1600, 1200), "lagrangian/demCloudSpheres",
+                                  time, sky=True)
     reader.MeshRegions = ["internalMesh", "patch/tank", "patch/pipe",
                           "lagrangian/demCloudSpheres"]
     reader.CellArrays = ["U"]
     reader.Decomposepolyhedra = 0
-    reader.UpdatePipelineInformation()
-    times = list(reader.TimestepValues)
-    time = min(times, key=lambda t: abs(t - time)) if time else times[-1]
-
-    view = CreateView("RenderView")
-    view.ViewSize = [1600, 1200]
-    view.ViewTime = time
-    view.UseColorPaletteForBackground = 0
-    view.BackgroundColorMode = "Gradient"
-    view.Background2 = [0.80, 0.87, 0.93]
-    view.Background = [0.97, 0.98, 0.99]
-    view.OrientationAxesVisibility = 0
     reader.UpdatePipeline(time)
 
     # The water: its speed and the mesh, in a plane
@@ -188,24 +172,9 @@ def main(png, time=None):
     drawn.Specular, drawn.SpecularPower = 0.15, 12
     drawn.Interpolation = "Flat"
 
-    # What it is
-    title = Show(Text(Text="Rocks fall through a pipe to the bed of a tank"), view)
-    title.WindowLocation, title.Position = "Any Location", [0.03, 0.935]
-    title.FontSize, title.Bold, title.Color = 34, 1, [0.08, 0.12, 0.18]
-    line = Show(Text(Text=f"t = {time:.2f} s    {count} rocks    "
-                          "pimpleFoam, Styx"), view)
-    line.WindowLocation, line.Position = "Any Location", [0.03, 0.895]
-    line.FontSize, line.Color = 24, [0.25, 0.30, 0.36]
-
-    view.CameraPosition = [-0.42, -1.25, 0.60]
-    view.CameraFocalPoint = [0.008, 0, 0.190]
-    view.CameraViewUp = [0, 0, 1]
-    view.CameraViewAngle = 24
-    SaveScreenshot(png, view, ImageResolution=[1600, 1200])
-    print(f"{png}: t = {time:g} s, {count} rocks")
+    headings("Rocks fall through a pipe to the bed of a tank",
+             f"t = {time:.2f} s    {count} rocks    pimpleFoam, Styx", view)
+    save(png, view, [-0.42, -1.25, 0.60], [0.008, 0, 0.190], 24)
 
 
-if __name__ == "__main__":
-    if not 2 <= len(sys.argv) <= 3:
-        sys.exit("Usage: pvbatch picture.py FILE.png [time]")
-    main(sys.argv[1], *(float(word) for word in sys.argv[2:]))
+run(main)

@@ -7,19 +7,16 @@
 #     without any warranty. See the file COPYING.
 #
 # Usage
-#     xvfb-run -a pvbatch picture.py FILE.png [time]
+#     ../../../bin/styxRender picture.py FILE.png [time]
 #
 # Description
 #     Draws the case that it stands in: the block's spheres, the water and its
 #     surface. Takes the written time next to the one named (else the last).
 # -----------------------------------------------------------------------------
 
-import os
-import sys
-
 from paraview.simple import (
-    CellDatatoPointData, Clip, Contour, CreateView, ExtractBlock, Glyph,
-    OpenFOAMReader, Outline, SaveScreenshot, Show, Text)
+    CellDatatoPointData, Clip, Contour, ExtractBlock, Outline, Show)
+from styxScene import balls, headings, openCase, run, save
 
 
 def part(reader, selector):
@@ -35,25 +32,10 @@ def plain(shown, colour, opacity=1):
 
 
 def main(png, time=None):
-    case = os.path.basename(os.getcwd()) + ".foam"
-    open(case, "a").close()
-    reader = OpenFOAMReader(FileName=case)
-    if os.path.isdir("processor0"):
-        reader.CaseType = "Decomposed Case"
+    reader, view, time = openCase((1600, 1200), "lagrangian/demCloudSpheres",
+                                  time, sky=True)
     reader.MeshRegions = ["internalMesh", "lagrangian/demCloudSpheres"]
     reader.CellArrays = ["alpha.water"]
-    reader.UpdatePipelineInformation()
-    times = list(reader.TimestepValues)
-    time = min(times, key=lambda t: abs(t - time)) if time else times[-1]
-
-    view = CreateView("RenderView")
-    view.ViewSize = [1600, 1200]
-    view.ViewTime = time
-    view.UseColorPaletteForBackground = 0
-    view.BackgroundColorMode = "Gradient"
-    view.Background2 = [0.80, 0.87, 0.93]
-    view.Background = [0.97, 0.98, 0.99]
-    view.OrientationAxesVisibility = 0
     reader.UpdatePipeline(time)
 
     # The water, as if of glass, and its surface
@@ -72,33 +54,13 @@ def main(png, time=None):
     plain(Show(Outline(Input=mesh), view), [0.30, 0.34, 0.38]).LineWidth = 2
 
     # The block
-    spheres = Glyph(Input=part(reader, "/Root/lagrangian"),
-                    GlyphType="Sphere")
-    spheres.GlyphType.Radius = 0.5
-    spheres.GlyphType.ThetaResolution = 48
-    spheres.GlyphType.PhiResolution = 48
-    spheres.ScaleArray = ["POINTS", "diameter"]
-    spheres.ScaleFactor = 1
-    spheres.GlyphMode = "All Points"
+    spheres = balls(part(reader, "/Root/lagrangian"), corners=48)
     wood = plain(Show(spheres, view), [0.72, 0.50, 0.28])
     wood.Specular, wood.SpecularPower = 0.15, 12
 
-    title = Show(Text(Text="A block of half the density of water floats"), view)
-    title.WindowLocation, title.Position = "Any Location", [0.03, 0.935]
-    title.FontSize, title.Bold, title.Color = 34, 1, [0.08, 0.12, 0.18]
-    line = Show(Text(Text=f"t = {time:.2f} s    interFoam, Styx"), view)
-    line.WindowLocation, line.Position = "Any Location", [0.03, 0.895]
-    line.FontSize, line.Color = 24, [0.25, 0.30, 0.36]
-
-    view.CameraPosition = [0.20, -0.26, 0.115]
-    view.CameraFocalPoint = [0.06, 0.06, 0.046]
-    view.CameraViewUp = [0, 0, 1]
-    view.CameraViewAngle = 24
-    SaveScreenshot(png, view, ImageResolution=[1600, 1200])
-    print(f"{png}: t = {time:g} s")
+    headings("A block of half the density of water floats",
+             f"t = {time:.2f} s    interFoam, Styx", view)
+    save(png, view, [0.20, -0.26, 0.115], [0.06, 0.06, 0.046], 24)
 
 
-if __name__ == "__main__":
-    if not 2 <= len(sys.argv) <= 3:
-        sys.exit("Usage: pvbatch picture.py FILE.png [time]")
-    main(sys.argv[1], *(float(word) for word in sys.argv[2:]))
+run(main)

@@ -14,12 +14,10 @@
 #     pipe, and the water's speed with the refined mesh in the plane in the
 #     middle, of the written time next to the one named (else the last).
 # -----------------------------------------------------------------------------
-import sys
-
 from paraview.simple import (
-    ExtractBlock, FeatureEdges, GetColorTransferFunction, GetScalarBar, Glyph,
-    Outline, SaveScreenshot, Show, Slice)
-from styxScene import coloured, heading, openCase
+    ExtractBlock, FeatureEdges, GetColorTransferFunction, GetScalarBar, Outline,
+    Show, Slice)
+from styxScene import balls, coloured, heading, openCase, run, save
 
 
 def labels(view, name, values, form):
@@ -48,13 +46,7 @@ def main(png, time=None):
     GetColorTransferFunction("U").InvertTransferFunction()
     labels(view, "U", [0, 0.5, 1], "%.1f")
 
-    rocks = Glyph(Input=ExtractBlock(Input=reader,
-                                     Selectors=["/Root/lagrangian"]),
-                  GlyphType="Sphere")
-    rocks.GlyphType.Radius = 0.5
-    rocks.GlyphType.ThetaResolution = rocks.GlyphType.PhiResolution = 20
-    rocks.ScaleArray, rocks.ScaleFactor = ["POINTS", "diameter"], 1
-    rocks.GlyphMode = "All Points"
+    rocks = balls(ExtractBlock(Input=reader, Selectors=["/Root/lagrangian"]))
     coloured(Show(rocks, view), view, ("POINTS", "velocity"), "Z", (-1.5, 0),
              "Viridis (matplotlib)", "rocks: upwards [m/s]", [0.86, 0.15])
     labels(view, "velocity", [-1.5, -0.75, 0], "%.2f")
@@ -69,15 +61,7 @@ def main(png, time=None):
     Show(Outline(Input=mesh), view).DiffuseColor = [0.3, 0.3, 0.3]
 
     heading(f"Rocks fall through a pipe to the sea bed, t = {time:.3g} s", view)
-    view.CameraPosition = [-2.6, -10.5, 4.6]
-    view.CameraFocalPoint = [0.3, 0, 1.8]
-    view.CameraViewUp = [0, 0, 1]
-    view.CameraViewAngle = 29
-    SaveScreenshot(png, view, ImageResolution=[1400, 1300])
-    print(f"{png}: t = {time:g} s")
+    save(png, view, [-2.6, -10.5, 4.6], [0.3, 0, 1.8], 29)
 
 
-if __name__ == "__main__":
-    if not 2 <= len(sys.argv) <= 3:
-        sys.exit("Usage: pvbatch picture.py FILE.png [time]")
-    main(sys.argv[1], *(float(word) for word in sys.argv[2:]))
+run(main)

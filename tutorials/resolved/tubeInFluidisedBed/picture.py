@@ -15,12 +15,10 @@
 #     axis, at the written time next to the one named (else the last).
 # -----------------------------------------------------------------------------
 
-import sys
-
 from paraview.simple import (
-    Calculator, ColorBy, ExtractBlock, Outline, SaveScreenshot, Show, Slice,
+    Calculator, ColorBy, ExtractBlock, Outline, Show, Slice,
     Threshold, Transform)
-from styxScene import balls, coloured, heading, openCase
+from styxScene import balls, coloured, heading, openCase, run, save
 
 
 def kind(spheres, behind, low, high):
@@ -58,15 +56,7 @@ def main(png, time=None):
 
     heading(f"A tube in a fluidised bed, t = {time:.3g} s", view)
 
-    view.CameraPosition = [0.062, -0.49, 0.095]
-    view.CameraFocalPoint = [0.062, 0.025, 0.078]
-    view.CameraViewUp = [0, 0, 1]
-    view.CameraViewAngle = 20
-    SaveScreenshot(png, view, ImageResolution=[1300, 1300])
-    print(f"{png}: t = {time:g} s")
+    save(png, view, [0.062, -0.49, 0.095], [0.062, 0.025, 0.078], 20)
 
 
-if __name__ == "__main__":
-    if not 2 <= len(sys.argv) <= 3:
-        sys.exit("Usage: pvbatch picture.py FILE.png [time]")
-    main(sys.argv[1], *(float(word) for word in sys.argv[2:]))
+run(main)

@@ -14,11 +14,9 @@
 #     fraction, at the written time next to the one named (else the last).
 # -----------------------------------------------------------------------------
 
-import sys
-
 from paraview.simple import (
-    ExtractBlock, Outline, SaveScreenshot, Show, Transform)
-from styxScene import balls, coloured, heading, openCase
+    ExtractBlock, Outline, Show, Transform)
+from styxScene import balls, coloured, heading, openCase, run, save
 
 
 def main(png, time=None):
@@ -37,15 +35,7 @@ def main(png, time=None):
 
     heading(f"24,750 beads of glass, t = {time:.3g} s", view, (0.03, 0.965))
 
-    view.CameraPosition = [1.35, 0.11, 0.225]
-    view.CameraFocalPoint = [0, 0.11, 0.225]
-    view.CameraViewUp = [0, 0, 1]
-    view.CameraViewAngle = 20
-    SaveScreenshot(png, view, ImageResolution=[1400, 1200])
-    print(f"{png}: t = {time:g} s")
+    save(png, view, [1.35, 0.11, 0.225], [0, 0.11, 0.225], 20)
 
 
-if __name__ == "__main__":
-    if not 2 <= len(sys.argv) <= 3:
-        sys.exit("Usage: pvbatch picture.py FILE.png [time]")
-    main(sys.argv[1], *(float(word) for word in sys.argv[2:]))
+run(main)

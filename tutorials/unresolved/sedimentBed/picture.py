@@ -14,11 +14,9 @@
 #     water's, at the written time next to the one named (else the last).
 # -----------------------------------------------------------------------------
 
-import sys
-
 from paraview.simple import (
-    ExtractBlock, SaveScreenshot, Show, Slice, Transform)
-from styxScene import balls, coloured, heading, openCase
+    ExtractBlock, Show, Slice, Transform)
+from styxScene import balls, coloured, heading, openCase, run, save
 
 
 def main(png, time=None):
@@ -42,15 +40,7 @@ def main(png, time=None):
     heading(f"2,970 grains of sand, {time - 0.2:.3g} s after the current has"
             " come", view, (0.03, 0.95), 26)
 
-    view.CameraPosition = [0.024, -0.11, 0.035]
-    view.CameraFocalPoint = [0.024, 0.006, 0.0095]
-    view.CameraViewUp = [0, 0, 1]
-    view.CameraViewAngle = 20
-    SaveScreenshot(png, view, ImageResolution=[1400, 900])
-    print(f"{png}: t = {time:g} s")
+    save(png, view, [0.024, -0.11, 0.035], [0.024, 0.006, 0.0095], 20)
 
 
-if __name__ == "__main__":
-    if not 2 <= len(sys.argv) <= 3:
-        sys.exit("Usage: pvbatch picture.py FILE.png [time]")
-    main(sys.argv[1], *(float(word) for word in sys.argv[2:]))
+run(main)
