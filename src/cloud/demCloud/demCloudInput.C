@@ -432,7 +432,11 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const fluidAccess access)
 
     const bool acts =
         access == fluidAccess::act || access == fluidAccess::share;
-    if (acts && (immersed_.valid() || !points_.valid()))
+
+    // On a mesh that stays as it is nobody reads the field, unless it is named
+    const bool asked =
+        coupling::refinementInterface::asked(mesh_) || dict_.found("interface");
+    if (acts && asked && (immersed_.valid() || !points_.valid()))
     {
         interface_.reset
         (

@@ -13,6 +13,7 @@ License
 #include "allowedKeys.H"
 #include "bitSet.H"
 #include "checkedEntry.H"
+#include "dynamicRefineFvMesh.H"
 #include "syncTools.H"
 
 // * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
@@ -114,6 +115,27 @@ Foam::coupling::refinementInterface::refinementInterface
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::coupling::refinementInterface::asked(const fvMesh& mesh)
+{
+    const IOdictionary meshDict
+    (
+        IOobject
+        (
+            "dynamicMeshDict",
+            mesh.time().constant(),
+            mesh,
+            IOobject::READ_IF_PRESENT,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+    return
+        isA<dynamicRefineFvMesh>(mesh)
+     || meshDict.getOrDefault<word>("dynamicFvMesh", "none")
+     == dynamicRefineFvMesh::typeName;
+}
+
 
 void Foam::coupling::refinementInterface::mark
 (

@@ -25,6 +25,33 @@ namespace coupling
 }
 
 
+// * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- A dictionary that does not ask for what this method cannot do. Looked at
+//  before the base says what the outer correctors would need
+const Foam::dictionary& checked(const Foam::dictionary& dict)
+{
+    using namespace Foam;
+
+    if (dict.getOrDefault<word>("outerCorrectors", "once") != "once")
+    {
+        dem::badEntry
+        (
+            dict,
+            "outerCorrectors",
+            "asks for the force in each outer corrector, but fictitiousDomain"
+            " has it after the last one; take once"
+        );
+    }
+    return dict;
+}
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::coupling::fictitiousDomain::setForcing(const knownFlow&)
@@ -49,19 +76,9 @@ Foam::coupling::fictitiousDomain::fictitiousDomain
     const dictionary& dict
 )
 :
-    immersedMethod(scene, dict)
+    immersedMethod(scene, checked(dict))
 {
     dem::checkKeys(dict, commonKeys({}));
-    if (dict.getOrDefault<word>("outerCorrectors", "once") != "once")
-    {
-        dem::badEntry
-        (
-            dict,
-            "outerCorrectors",
-            "asks for the force in each outer corrector, but fictitiousDomain"
-            " has it after the last one; take once"
-        );
-    }
 }
 
 
