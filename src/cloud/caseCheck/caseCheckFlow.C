@@ -13,7 +13,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "caseCheck.H"
-#include "ListOps.H"
+#include "sizeLevels.H"
 
 #include <cmath>
 
@@ -50,28 +50,25 @@ void Foam::caseCheck::checkThickness()
 
 void Foam::caseCheck::checkGaps()
 {
-    // Spheres in the order in which they begin along x. Gaps count that are
-    // narrower than a cell, so that few others are looked at for each
+    // Gaps count that are narrower than a cell
     const dem::bodies& state = dem_.state();
-    const label n = state.sphereX.size();
-    scalarField begins(n);
-    scalarField cell(n);
-    forAll(begins, i)
+    scalarField cell(state.nSpheres());
+    forAll(cell, s)
     {
-        const label b = state.sphereBody[i];
-        cell[i] = kindOf(state.shapeI[b], state.materialI[b]).cell;
-        begins[i] = state.sphereX[i].x() - state.sphereR[i];
+        const label b = state.sphereBody[s];
+        cell[s] = kindOf(state.shapeI[b], state.materialI[b]).cell;
     }
-    const labelList order(sortedOrder(begins));
     scalar narrowest = GREAT;
     scalar gap = 0;
-    forAll(order, k)
-    {
-        const label i = order[k];
-        const scalar end = begins[i] + 2*state.sphereR[i] + cell[i];
-        for (label m = k + 1; m < n && begins[order[m]] < end; ++m)
+    dem::sizeLevels
+    (
+        state.sphereX,
+        scalarField(state.sphereR + 0.5*cell),
+        0
+    ).forEachPair
+    (
+        [&](const label i, const label j)
         {
-            const label j = order[m];
             const scalar g =
                 mag(state.sphereX[i] - state.sphereX[j])
               - state.sphereR[i] - state.sphereR[j];
@@ -86,7 +83,7 @@ void Foam::caseCheck::checkGaps()
                 gap = g;
             }
         }
-    }
+    );
     const scalar least = returnReduce(narrowest, minOp<scalar>());
     gap = returnReduce(narrowest > least ? GREAT : gap, minOp<scalar>());
     if (least < 1)
