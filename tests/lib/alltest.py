@@ -151,7 +151,7 @@ def unitFilter(folder, word):
                                  file.read())
             for suite, test, body in zip(*(iter(parts[1:]),) * 3):
                 if word in (suite, f"{suite}.{test}") or f'"{word}"' in body:
-                    chosen.append(f"*{suite}.{test}*")
+                    chosen += [f"*{suite}.{test}", f"*{suite}.{test}/*"]
     return ":".join(chosen)
 
 

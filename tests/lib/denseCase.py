@@ -13,16 +13,19 @@
 #         terminal()          velocity of one of them [m/s]
 #         fastest(case, (0.1, 0.2))       of the fluid, at these times [m/s]
 #         centres = cloud(55, (6e-3, 6e-3), (14e-3, 22e-3))
+#         bedBesideWater("A", ranks=2)    hard case 20, prints its figures
 #         addStone(case, (8e-3, 8e-3, 17e-3), 8e-3, "immersed { ... } ...")
 #------------------------------------------------------------------------------
+import glob
 import os
 import re
 
 import numpy as np
 
 from badInput import edit
-from cases import setEntry
-from cloudCase import copyCase, runIn
+from cases import ledger, setEntry
+from cloudCase import copyCase, runIn, runParallel
+from figure import figure
 
 tutorial = os.environ["STYX_DIR"] + "/tutorials/unresolved/ergunBed"
 properties = "constant/demCloudProperties"
@@ -116,8 +119,9 @@ boundary
 def fastest(case, times):
     """Largest velocity of the fluid at the ends of these times [m/s]."""
     most = 0
-    for time in times:
-        with open("%s/%g/U" % (case, time)) as text:
+    parts = glob.glob(case + "/processor[0-9]*") or [case]
+    for file in ["%s/%g/U" % (part, time) for part in parts for time in times]:
+        with open(file) as text:
             body = text.read().split("internalField")[1].split(
                 "boundaryField")[0]
         rows = re.findall(r"\(([-+0-9.e]+) ([-+0-9.e]+) ([-+0-9.e]+)\)", body)
@@ -137,6 +141,46 @@ def cloud(number, across, heights):
         if not centres or np.min(np.linalg.norm(away, axis=1)) > 1.02*d:
             centres.append(x)
     return centres
+
+
+def bedBesideWater(equations, ranks=1, end=0.3):
+    """Hard case 20: four spheres a cell on a lattice, layers on the floor, and
+    still water above, with the bed fixed and held by its contacts. Ranks meet
+    in the middle of the bed."""
+    a = 1.4412e-3
+    bed = [((i + x)*a, (j + y)*a, k*a + z*a/2 + 0.5*d)
+           for k in range(8) for j in range(5) for i in range(5)
+           for x, y, z in ((0.25, 0.25, 0), (0.75, 0.75, 0),
+                           (0.75, 0.25, 1), (0.25, 0.75, 1))]
+    box, fall = ((5*a, 5*a, 16*a), (5, 5, 16)), terminal()
+    forces = "drag gidaspow; buoyancy yes;" + (
+        " pressureGradient yes;" if equations == "A" else "")
+    name, number = ("hard20_" + equations,
+                    "" if ranks == 1 else str(ranks))
+
+    def solve(case):
+        return (runIn(case, "styxFoam") if ranks == 1 else
+                runParallel(case, ranks, "styxFoam"))
+
+    case = prepare("fixed%s%s" % (equations, number), *box, bed,
+                   "type centroid;", "fixed", forces, equations, end=0.02)
+    with open(solve(case)) as text:
+        least = re.findall(r"void fraction from ([0-9.]+)", text.read())
+    figure(name + "_void" + number, float(least[-1]), 0.295, 0.305,
+           "-", "four spheres a cell, next to cells without, %d ranks" % ranks)
+    figure(name + "_fixed" + number,
+           fastest(case, (0.004, 0.02))/fall, None, 0.01, "of terminal",
+           "the fluid stays still, hard case 20")
+    case = prepare("held%s%s" % (equations, number), *box, bed,
+                   "type centroid;", "hades", forces, equations, end=end,
+                   dt=5e-4)
+    log = solve(case)
+    figure(name + "_held" + number,
+           fastest(case, (0.8*end, end))/fall, None, 0.01, "of terminal",
+           "a bed that its contacts hold, at rest")
+    figure(name + "_bed" + number,
+           max(s["fastest"] for s in ledger(log)[-50:])/fall, None, 0.01,
+           "of terminal", "the spheres, at rest")
 
 
 def addStone(case, x, diameter, more="", density=2500):

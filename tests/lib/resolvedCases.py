@@ -23,7 +23,7 @@ import shutil
 
 from badInput import edit
 from cases import ledger, setEntry
-from cloudCase import copyCase, runIn
+from cloudCase import copyCase, runIn, runParallel
 
 tests = os.environ["STYX_DIR"] + "/tests/"
 
@@ -292,13 +292,13 @@ def writeSpheroid(file, a, c, around=32, along=16):
         out.write("endsolid spheroid\n")
 
 
-def releasedPlate(ratio, levels, steps, dt=1e-3):
+def releasedPlate(ratio, levels, steps, dt=1e-3, ranks=1):
     """Accelerations, after the first step and over the closed form, of a flat
     spheroid of 20 by 2 mm that is released broadside in a still fluid, the
     mesh refined levels times; at ratio 1 over that of gravity."""
     a, c, rho, g = 0.01, 0.001, 1000, 9.81
     case = copyCase(tests + "analytic/releasedSphere",
-                    "levels%d_%g" % (levels, ratio))
+                    "levels%d_%g_%d" % (levels, ratio, ranks))
     writeSpheroid(case + "/constant/plate.stl", a, c)
     with open(case + "/constant/plate.multisphere", "w") as out:
         out.write("FoamFile { version 2.0; format ascii; class dictionary;"
@@ -313,7 +313,11 @@ def releasedPlate(ratio, levels, steps, dt=1e-3):
              "%d" % levels)
     setTimes(case, dt, steps*dt)
     runIn(case, "blockMesh")
-    speed = [r["fastest"] for r in ledger(runIn(case, "pimpleFoam"))]
+    shutil.copy(tests + "analytic/periodicArray/system/decomposeParDict",
+                case + "/system")
+    log = (runIn(case, "pimpleFoam") if ranks == 1 else
+           runParallel(case, ranks, "pimpleFoam"))
+    speed = [r["fastest"] for r in ledger(log)]
 
     # Lamb, article 114, for an oblate spheroid along its axis
     e = math.sqrt(1 - (c/a)**2)

@@ -122,6 +122,12 @@ void Foam::dem::bisection::place(List<cut>& level, const bodies& own) const
             (below[k] < wanted ? from[k] : to[k]) = c.at;
         }
     }
+
+    // Behind the body that makes the share whole
+    forAll(level, k)
+    {
+        level[k].at = to[k];
+    }
 }
 
 

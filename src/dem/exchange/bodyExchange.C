@@ -435,19 +435,22 @@ void Foam::dem::bodyExchange::combine
 (
     packedBodies& packed,
     bool& due,
-    bool& nearDue
+    bool& nearDue,
+    bool& overstepped
 )
 {
     stopwatch watch(seconds_);
     const label n = packedBodies::nBounds;
-    List<scalar> largest(n + 2);
+    List<scalar> largest(n + 3);
     packed.putBounds(largest);
     largest[n] = due;
     largest[n + 1] = nearDue;
+    largest[n + 2] = overstepped;
     maxOverRanks(largest);
     packed.setBounds(largest);
     due = largest[n] > 0;
     nearDue = largest[n + 1] > 0;
+    overstepped = largest[n + 2] > 0;
 }
 
 

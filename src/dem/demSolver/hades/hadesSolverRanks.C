@@ -110,7 +110,12 @@ bool Foam::dem::hadesSolver::meetOthers(const scalar t, const scalar dt)
     walls_.moveTo(t);
     bool due = outdated();
     bool nearDue = !due && list_.nearOutdated(packed_, mine);
-    exchange_->combine(packed_, due, nearDue);
+    bool overstepped = control_->overstepped();
+    exchange_->combine(packed_, due, nearDue, overstepped);
+    if (overstepped)
+    {
+        control_->agree(group_);
+    }
     if (nearDue && !due)
     {
         list_.setNearDue();

@@ -11,6 +11,7 @@ License
 #include "fixedStep.H"
 #include "allowedKeys.H"
 #include "checkedEntry.H"
+#include "packedBodies.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -55,6 +56,31 @@ bool Foam::dem::fixedStep::acceptContacts
     needed_ = 0.05*contacts.duration;
     body_ = contacts.stiffA;
     return false;
+}
+
+
+Foam::dem::stepChoice Foam::dem::fixedStep::propose
+(
+    const packedBodies& state,
+    const contactSummary&
+)
+{
+    return
+        (state.group().shared() ? agreed_ : overstepped())
+      ? stepChoice{needed_, "contact", body_}
+      : stepChoice{deltaT_, "fixed"};
+}
+
+
+void Foam::dem::fixedStep::agree(const rankGroup& group)
+{
+    const scalar least = group.min(needed_);
+    if (least < needed_)
+    {
+        body_ = stepChoice::elsewhere;
+    }
+    needed_ = least;
+    agreed_ = true;
 }
 
 
