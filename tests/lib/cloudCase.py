@@ -144,10 +144,13 @@ def runParallel(case, ranks, program, blocks=None):
 
 
 def onRanks(ranks, program):
-    """The command of a program on ranks, which leave the core to others while
-    they wait."""
-    return ["mpirun", "--oversubscribe", "--mca", "mpi_yield_when_idle", "1",
-            "-np", str(ranks), program, "-parallel"]
+    """The command of a program on ranks. More of them than there are cores leave
+    the core to others while they wait; else waiting is shorter than coming
+    back, where other programs want the cores."""
+    shared = ranks > (os.cpu_count() or 1)
+    return (["mpirun", "--oversubscribe"]
+            + (["--mca", "mpi_yield_when_idle", "1"] if shared else [])
+            + ["-np", str(ranks), program, "-parallel"])
 
 
 def meshChanges(log):

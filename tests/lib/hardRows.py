@@ -10,7 +10,7 @@
 #     The hard cases of bodies alone on 2 ranks: each function runs a row on 1
 #     and on 2 ranks, prints the number that the row must hold as the 2 ranks
 #     have it, and the distance between the paths of 2 ranks and of 1.
-#         steel("hard01_few", 4, 0.06)        row 1, 4^3 spheres, 0.06 s
+#         steel("hard01_few", 4, 0.01, 0.06)      row 1, 4^3 spheres, from 10 mm
 #------------------------------------------------------------------------------
 import re
 import subprocess
@@ -51,11 +51,11 @@ def springs(E, r, x, low, high):
             + spring(E, r, r - (high - x)).sum())
 
 
-def steel(name, n, end):
-    """1: steel spheres of 1 mm dropped into a box."""
+def steel(name, n, fall, end):
+    """1: steel spheres of 1 mm dropped into a box from a height [m]."""
     d, w = 1e-3, 1.3e-3*n
     low, high = np.array((-w/2, -w/2, 0)), np.array((w/2, w/2, 0.5))
-    balls = lattice("ball", d, 1.3, (n, n, n), low + (0, 0, 0.01),
+    balls = lattice("ball", d, 1.3, (n, n, n), low + (0, 0, fall),
                     np.random.default_rng(3))
     both = onRanks(name, head(2e11, "restitution 0.7; friction 0.3;",
                               density=7800)
@@ -103,7 +103,7 @@ def coarseRests():
     both = onRanks("hard04", head(1e9, "restitution 0.3; friction 0.5;")
                    + grains + floor
                    + bodies(*layer, ("ball", (0, 0, z))),
-                   1e-4, 4e-4, gravity=True)
+                   1e-4, 0.001, gravity=True)
     figure("hard04_inside2", both.overlap("2")/200, 1e-4, 0.01,
            "d of a grain", "deepest of the run, 2 ranks, hard case 4")
     last = both.last("2", "position")
