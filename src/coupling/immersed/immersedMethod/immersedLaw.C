@@ -10,6 +10,7 @@ License
 
 #include "immersedMethod.H"
 #include "rankSum.H"
+#include "readAhead.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -94,30 +95,34 @@ void Foam::coupling::immersedMethod::addNeighbours
         }
     }
 
+    DynamicList<label> near(1024);
     bins_.forEach
     (
         centre,
         state.shapeOf(b).fluidRadius() + reach,
         [&](const label c)
         {
-            if (found_[c] == stamp)
+            const scalar far = reach + bins_.radius(c);
+            if (found_[c] != stamp && body.distance(mesh_.C()[c]) <= far)
             {
-                return;
-            }
-            bodyCell bc{c, 0, mesh_.C()[c] - centre};
-            bc.phi = body.distance(mesh_.C()[c]);
-            if (bc.phi > reach + bins_.radius(c))
-            {
-                return;
-            }
-            bc.rho = rho_[c];
-            findLinks(body, bc);
-            if (bc.nLinks)
-            {
-                cells_[b].append(bc);
+                near.append(c);
             }
         }
     );
+
+    forAll(near, k)
+    {
+        readAhead::faces(mesh_, near, k);
+        const label c = near[k];
+        bodyCell bc{c, 0, mesh_.C()[c] - centre};
+        bc.phi = body.distance(mesh_.C()[c]);
+        bc.rho = rho_[c];
+        findLinks(body, bc);
+        if (bc.nLinks)
+        {
+            cells_[b].append(bc);
+        }
+    }
 }
 
 

@@ -12,6 +12,7 @@ License
 #include "allowedKeys.H"
 #include "checkedEntry.H"
 #include "rankSum.H"
+#include "readAhead.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -38,28 +39,36 @@ void Foam::coupling::immersedMethod::addCells
     const point centre = state.x[b] + shift;
     DynamicList<bodyCell>& cells = cells_[b];
 
+    DynamicList<label> near(1024);
     bins_.forEach
     (
         centre,
         state.shapeOf(b).fluidRadius(),
         [&](const label c)
         {
-            const scalar beta = fraction_(body, c, bins_.radius(c));
-            if (beta > 0)
-            {
-                bodyCell bc{c, beta, mesh_.C()[c] - centre};
-                bc.tight = beta;
-                bc.rho = rho_[c];
-                if (beta < 1)
-                {
-                    bc.phi = body.distance(mesh_.C()[c]);
-                    bc.n = body.normal(mesh_.C()[c]);
-                    bc.tight = tightFraction(body, bc);
-                }
-                cells.append(bc);
-            }
+            near.append(c);
         }
     );
+
+    forAll(near, k)
+    {
+        readAhead::points(mesh_, near, k);
+        const label c = near[k];
+        const scalar beta = fraction_(body, c, bins_.radius(c));
+        if (beta > 0)
+        {
+            bodyCell bc{c, beta, mesh_.C()[c] - centre};
+            bc.tight = beta;
+            bc.rho = rho_[c];
+            if (beta < 1)
+            {
+                bc.phi = body.distance(mesh_.C()[c]);
+                bc.n = body.normal(mesh_.C()[c]);
+                bc.tight = tightFraction(body, bc);
+            }
+            cells.append(bc);
+        }
+    }
 }
 
 

@@ -14,6 +14,28 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+inline Foam::label Foam::coupling::volumeFraction::cellCorners::place
+(
+    const bodyGeometry& body,
+    const pointField& x,
+    const label p
+)
+{
+    const label n = points.size();
+    for (label k = 0; k < n; ++k)
+    {
+        if (points[k] == p)
+        {
+            return k;
+        }
+    }
+    points.append(p);
+    corners.append(corner(body, x[p]));
+    return n;
+}
+
+
+
 Foam::scalar Foam::coupling::volumeFraction::volume(const tet& t)
 {
     return
@@ -167,29 +189,13 @@ void Foam::coupling::volumeFraction::addInside
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::scalar Foam::coupling::volumeFraction::operator()
+Foam::scalar Foam::coupling::volumeFraction::cutFraction
 (
-    const bodyGeometry& whole,
+    const bodyGeometry& body,
     const label cell,
     const scalar radius
 ) const
 {
-    const point& centre = mesh_.cellCentres()[cell];
-    const scalar phi = whole.distance(centre);
-
-    if (phi >= radius)
-    {
-        return 0;
-    }
-    if (phi <= -radius)
-    {
-        return 1;
-    }
-
-    const bodyGeometry body(whole.near(centre, radius));
-
     // What is small beside the cell, or curved, asks for smaller tetrahedra
     const label refinements = max(refinements_, body.refinements(radius));
 
@@ -197,23 +203,24 @@ Foam::scalar Foam::coupling::volumeFraction::operator()
     const label creases = max(4 - refinements, 1);
 
     const pointField& points = mesh_.points();
-    const corner atCentre(body, centre);
-    DynamicList<corner, 12> fan;
+    const corner atCentre(body, mesh_.cellCentres()[cell]);
+    const DynamicList<corner, 16>& corners = at_.corners;
+    DynamicList<label, 8>& fan = at_.fan;
+    at_.points.clear();
+    at_.corners.clear();
     cutTets cut(body.solved());
     scalar all = 0;
 
     for (const label f : mesh_.cells()[cell])
     {
-        const face& corners = mesh_.faces()[f];
-
         // The fan starts at the corner nearest to the body: with which one
         // the face happens to begin is another on another rank
         fan.clear();
         label first = 0;
-        for (const label p : corners)
+        for (const label p : mesh_.faces()[f])
         {
-            fan.append(corner(body, points[p]));
-            if (fan.last().phi < fan[first].phi)
+            fan.append(at_.place(body, points, p));
+            if (corners[fan.last()].phi < corners[fan[first]].phi)
             {
                 first = fan.size() - 1;
             }
@@ -222,7 +229,10 @@ Foam::scalar Foam::coupling::volumeFraction::operator()
 
         for (label k = 2; k < fan.size(); ++k)
         {
-            const tet t(atCentre, fan[0], fan[k - 1], fan[k]);
+            const tet t
+            (
+                atCentre, corners[fan[0]], corners[fan[k - 1]], corners[fan[k]]
+            );
             const scalar V = volume(t);
             all += V;
             addInside
@@ -236,6 +246,35 @@ Foam::scalar Foam::coupling::volumeFraction::operator()
     // must not make a cut cell of a full one
     const scalar beta = cut.sum()/max(all, VSMALL);
     return beta > 1 - 1e-9 ? 1 : beta < 1e-9 ? 0 : beta;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::coupling::volumeFraction::operator()
+(
+    const bodyGeometry& body,
+    const label cell,
+    const scalar radius
+) const
+{
+    const point& centre = mesh_.cellCentres()[cell];
+    const scalar phi = body.distance(centre);
+
+    if (phi >= radius)
+    {
+        return 0;
+    }
+    if (phi <= -radius)
+    {
+        return 1;
+    }
+
+    // Of several parts those that are near
+    return
+        body.isBall()
+      ? cutFraction(body, cell, radius)
+      : cutFraction(body.near(centre, radius), cell, radius);
 }
 
 
