@@ -275,21 +275,20 @@ void Foam::averagedFluid::correctPressure()
 
 void Foam::averagedFluid::imposeBodies()
 {
-    if (!cloud_.imposes() || !pimple_.finalIter())
+    const label times = pimple_.finalIter() ? cloud_.imposes() : 0;
+    for (label k = 0; k < times; ++k)
     {
-        return;
+        const volVectorField free("free", U_);
+        cloud_.impose(U_);
+        phi_ += fvc::flux(U_ - free);
+
+        const tmp<volScalarField> q(projectFlux());
+        alphaPhi_ = alphaf_*phi_;
+        U_ -= mesh_.time().deltaT()*fvc::grad(q());
+        U_.correctBoundaryConditions();
+        p_ += q;
+        cloud_.correct(U_);
     }
-
-    const volVectorField free("free", U_);
-    cloud_.impose(U_);
-    phi_ += fvc::flux(U_ - free);
-
-    const tmp<volScalarField> q(projectFlux());
-    alphaPhi_ = alphaf_*phi_;
-    U_ -= mesh_.time().deltaT()*fvc::grad(q());
-    U_.correctBoundaryConditions();
-    p_ += q;
-    cloud_.correct(U_);
 }
 
 

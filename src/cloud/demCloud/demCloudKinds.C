@@ -136,9 +136,9 @@ void Foam::demCloud::correctImmersed(vectorField& H)
 }
 
 
-bool Foam::demCloud::imposes() const
+Foam::label Foam::demCloud::imposes() const
 {
-    return immersed_.valid() && immersed_->imposes();
+    return immersed_.valid() ? immersed_->imposes() : 0;
 }
 
 

@@ -57,12 +57,28 @@ const Foam::dictionary& checked(const Foam::dictionary& dict)
 void Foam::coupling::fictitiousDomain::setForcing(const knownFlow&)
 {
     // The equation knows nothing of the bodies
+    laws_.clear();
     for (auto& cells : cells_)
     {
         for (bodyCell& bc : cells)
         {
             bc.K = 0;
             bc.push = Zero;
+        }
+    }
+}
+
+
+void Foam::coupling::fictitiousDomain::findLaws(const volVectorField& U)
+{
+    const knownFlow flow(sides_, U);
+    laws_ = cells_;
+    forAll(laws_, b)
+    {
+        for (bodyCell& law : laws_[b])
+        {
+            law.push = Zero;
+            setLaw(b, law, flow);
         }
     }
 }
@@ -76,34 +92,45 @@ Foam::coupling::fictitiousDomain::fictitiousDomain
     const dictionary& dict
 )
 :
-    immersedMethod(scene, checked(dict))
+    immersedMethod(scene, checked(dict)),
+    projections_(dem::getLabel(dict, "projections", 1, 3))
 {
-    dem::checkKeys(dict, commonKeys({}));
+    dem::checkKeys(dict, commonKeys({"projections"}));
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::vector Foam::coupling::fictitiousDomain::force
+(
+    const bodyCell& law,
+    const vector& free,
+    const scalar dt
+)
+{
+    return (law.K*(law.target - free) + law.push)/(1 + law.K*dt);
+}
+
+
+
 void Foam::coupling::fictitiousDomain::impose(volVectorField& U)
 {
     const scalar dt = mesh_.time().deltaTValue();
+    if (laws_.empty())
     {
-        const knownFlow flow(sides_, U);
-        forAll(cells_, b)
+        findLaws(U);
+    }
+    forAll(cells_, b)
+    {
+        forAll(cells_[b], k)
         {
-            for (bodyCell& bc : cells_[b])
-            {
-                bodyCell law(bc);
-                law.push = Zero;
-                setLaw(b, law, flow);
-                bc.push =
-                    (law.K*(law.target - U[bc.cell]) + law.push)
-                   /(1 + law.K*dt);
-            }
+            bodyCell& bc = cells_[b][k];
+            bc.push = force(laws_[b][k], U[bc.cell] - dt*bc.push, dt);
         }
     }
+    const vectorField before(source_);
     assemble();
-    U.primitiveFieldRef() += dt*source_/mesh_.V().field();
+    U.primitiveFieldRef() += dt*(source_ - before)/mesh_.V().field();
     U.correctBoundaryConditions();
 }
 

@@ -286,9 +286,9 @@ bool Foam::coupling::immersedMethod::asksSolver() const
 }
 
 
-bool Foam::coupling::immersedMethod::imposes() const
+Foam::label Foam::coupling::immersedMethod::imposes() const
 {
-    return false;
+    return 0;
 }
 
 

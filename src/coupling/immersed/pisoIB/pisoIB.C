@@ -75,10 +75,7 @@ Foam::vector Foam::coupling::pisoIB::corrected
     bodyCell law(bc);
     law.push = Zero;
     setLaw(b, law, flow);
-    return
-        bc.push
-      + relaxation_/(1 + law.K*dt)
-       *(law.K*(law.target - U) + law.push - bc.push);
+    return next(law, bc.push, U, relaxation_, dt);
 }
 
 
@@ -139,6 +136,21 @@ Foam::coupling::pisoIB::pisoIB
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::vector Foam::coupling::pisoIB::next
+(
+    const bodyCell& law,
+    const vector& f,
+    const vector& U,
+    const scalar alpha,
+    const scalar dt
+)
+{
+    return
+        f
+      + alpha/(1 + law.K*dt)*(law.K*(law.target - U) + law.push - f);
+}
+
 
 void Foam::coupling::pisoIB::correctForcing(vectorField& H)
 {
