@@ -36,7 +36,7 @@ inline Foam::label Foam::coupling::volumeFraction::cellCorners::place
 
 
 
-Foam::scalar Foam::coupling::volumeFraction::volume(const tet& t)
+inline Foam::scalar Foam::coupling::volumeFraction::volume(const tet& t)
 {
     return
         mag
@@ -46,7 +46,7 @@ Foam::scalar Foam::coupling::volumeFraction::volume(const tet& t)
 }
 
 
-bool Foam::coupling::volumeFraction::creased(const tet& t)
+inline bool Foam::coupling::volumeFraction::creased(const tet& t)
 {
     if (onePart(t))
     {
@@ -66,7 +66,7 @@ bool Foam::coupling::volumeFraction::creased(const tet& t)
 }
 
 
-Foam::scalar Foam::coupling::volumeFraction::longest2(const tet& t)
+inline Foam::scalar Foam::coupling::volumeFraction::longest2(const tet& t)
 {
     scalar edge2 = 0;
     for (label i = 0; i < 3; ++i)
@@ -80,7 +80,7 @@ Foam::scalar Foam::coupling::volumeFraction::longest2(const tet& t)
 }
 
 
-Foam::label Foam::coupling::volumeFraction::side
+inline Foam::label Foam::coupling::volumeFraction::side
 (
     const bodyGeometry& body,
     const tet& t,
@@ -104,7 +104,7 @@ Foam::label Foam::coupling::volumeFraction::side
 }
 
 
-void Foam::coupling::volumeFraction::addLinear
+inline void Foam::coupling::volumeFraction::addLinear
 (
     const bodyGeometry& body,
     const tet& t,
