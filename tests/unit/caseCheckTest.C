@@ -259,6 +259,28 @@ TEST(caseCheck, correctors)
 }
 
 
+TEST(caseCheck, hops)
+{
+    // Cells of 5 mm, balls of oneBody
+    caseCheck::surroundings s(water(1e-5));
+    s.points = s.felt = s.hops = true;
+    const std::string dict(ball + oneBody + "stepControl { type hades; }");
+    const checkedCase fast(dict, s);
+    EXPECT_TRUE(fast.advises("Take divided"));
+    const scalar before = fast["hopOverSpeed"];
+    s.deltaT = 1e-3;
+    const checkedCase slow(dict, s);
+    figureNear
+    (
+        "check_hops", before/slow["hopOverSpeed"], 100, 1e-9, "-",
+        "by steps of a hundredth"
+    );
+    s.hops = false;
+    s.deltaT = 1e-5;
+    EXPECT_FALSE(checkedCase(dict, s).advises("Take divided"));
+}
+
+
 TEST(caseCheck, steps)
 {
     caseCheck::surroundings s;

@@ -198,6 +198,8 @@ int main(int argc, char *argv[])
             whole,
             table,
             true,
+            runTime.controlDict().getOrDefault<word>("application", "")
+         == "styxFoam",
             runTime.deltaTValue()
         ).write(Info, false);
     }

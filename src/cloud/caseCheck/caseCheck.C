@@ -384,6 +384,10 @@ Foam::caseCheck::caseCheck
     checkRayleigh();
     checkImpacts();
     checkFluidStep();
+    if (around_.hops)
+    {
+        checkHops();
+    }
     if (resolved())
     {
         checkThickness();

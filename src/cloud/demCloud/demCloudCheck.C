@@ -54,6 +54,11 @@ Foam::caseCheck::surroundings Foam::demCloud::surroundings() const
     s.points = points_.valid();
     s.felt = exchanged_.valid();
     s.mixed = kinds_.mixed();
+    s.hops =
+        exchanged_.valid()
+     && exchanged_->equations() != coupling::averagedEquations::none
+     && dict_.subOrEmptyDict("voidFraction").getOrDefault<word>("type", "")
+     == "centroid";
     s.rho = rho_->isField() ? 0 : rho_->uniform();
 
     const IOdictionary transport(constantDict(mesh_, "transportProperties"));

@@ -121,6 +121,7 @@ void Foam::demCloud::chooseEffects
             dict_,
             table,
             access == fluidAccess::act || access == fluidAccess::share,
+            access == fluidAccess::share,
             mesh_.time().deltaTValue()
         );
         coupling_ = dict_.get<word>("coupling");

@@ -150,7 +150,7 @@ void chooseForces
 }
 
 
-dictionary fractionModel(const effectTable& table)
+dictionary fractionModel(const effectTable& table, const bool averaged)
 {
     scalar d = 0, cell = GREAT;
     for (const sceneNumbers& n : table.kinds())
@@ -160,7 +160,11 @@ dictionary fractionModel(const effectTable& table)
     }
     dictionary model;
     const bool wide = cell >= 3*d;
-    model.add("type", word(wide ? "centroid" : "diffusion"));
+    model.add
+    (
+        "type",
+        word(!wide ? "diffusion" : averaged ? "divided" : "centroid")
+    );
     if (!wide)
     {
         model.add("bandwidth", 6*d);
@@ -297,6 +301,7 @@ Foam::dictionary Foam::effectChoice::chooseCoupling
     dictionary& properties,
     const effectTable& table,
     const bool acts,
+    const bool averaged,
     const scalar deltaT
 )
 {
@@ -346,7 +351,7 @@ Foam::dictionary Foam::effectChoice::chooseCoupling
     added.add("forces", chosen);
     if (coupling == "twoWay" && !properties.found("voidFraction"))
     {
-        put(properties, added, "voidFraction", fractionModel(table));
+        put(properties, added, "voidFraction", fractionModel(table, averaged));
     }
     return added;
 }

@@ -11,6 +11,7 @@ License
 #include "dividedFraction.H"
 #include "allowedKeys.H"
 #include "bodyGeometry.H"
+#include "mathematicalConstants.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -38,6 +39,21 @@ Foam::scalar Foam::coupling::dividedFraction::reach
 }
 
 
+bool Foam::coupling::dividedFraction::isWithin(const cellBall& ball) const
+{
+    for (const label f : mesh_.cells()[ball.cell])
+    {
+        const pointHit nearest =
+            mesh_.faces()[f].nearestPoint(ball.x, mesh_.points());
+        if (nearest.distance() < reach(ball))
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+
 void Foam::coupling::dividedFraction::weigh
 (
     const cellBall& ball,
@@ -45,6 +61,15 @@ void Foam::coupling::dividedFraction::weigh
     DynamicList<scalar>& weights
 ) const
 {
+    if (ball.cell >= 0 && isWithin(ball))
+    {
+        cells.append(ball.cell);
+        weights.append
+        (
+            4.0/3.0*constant::mathematical::pi*pow3(ball.r)
+        );
+        return;
+    }
     const bodyGeometry sphere(bodyGeometry::sphere(ball.x, ball.r));
     bins_.forEach
     (
