@@ -53,6 +53,46 @@ vector implicitForce(const coupling::bodyCell& law, const scalar A)
 } // End anonymous namespace
 
 
+namespace
+{
+
+//- The motion scheme step by step for a body in a fluid without friction, the
+//  fluid's answer by what the projections leave: does a first error die away?
+bool diesAway
+(
+    const scalar ratio,
+    const scalar k,
+    const scalar C,
+    const label projections
+)
+{
+    const scalar q = k/(1 + k);
+    scalar v = 0, vOld = 0, Ub = 1, UbOld = 0, lack = 0;
+    for (label step = 0; step < 20000; ++step)
+    {
+        // Imposed and projected so often; the impulse on the fluid inside
+        scalar impulse = 0;
+        lack += Ub - UbOld;
+        for (label n = 0; n < projections; ++n)
+        {
+            impulse += lack;
+            lack *= q;
+        }
+        vOld = v;
+        v += (-impulse + (1 + C*k)*(Ub - UbOld))/(ratio + C*k);
+        UbOld = Ub;
+        Ub = 2*v - vOld;
+        if (mag(v) > 1e6)
+        {
+            return false;
+        }
+    }
+    return mag(v - vOld) < 1e-3;
+}
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
 TEST(methodLaws, pisoIBComesToImplicitForcing)
@@ -132,6 +172,32 @@ TEST(methodLaws, fictitiousDomainWithoutDiffusion)
     (
         "fictitiousDomain_force", worst, -noBar, 1e-12, "-",
         "force of implicitForcing in closed form"
+    );
+}
+
+
+TEST(methodLaws, fictitiousDomainKnowsWhatSwings)
+{
+    label wrong = 0, swing = 0;
+    for (const scalar ratio : {0.01, 0.1, 0.5, 0.6, 1.0, 2.0, 7.8})
+    {
+        for (const scalar k : {0.2, 0.5, 1.1, 3.0, 6.1, 12.7})
+        {
+            for (const label n : {1, 2, 3, 5, 10, 20})
+            {
+                const bool dies = diesAway(ratio, k, 1.5, n);
+                wrong +=
+                    coupling::fictitiousDomain::stable(ratio, k, 1.5, n)
+                 != dies;
+                swing += !dies;
+            }
+        }
+    }
+    EXPECT_GT(swing, 50);
+    figure
+    (
+        "fictitiousDomain_stable", wrong, 0, 0, "of 252",
+        "the scheme step by step"
     );
 }
 

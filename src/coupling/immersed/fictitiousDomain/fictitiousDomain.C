@@ -13,6 +13,8 @@ License
 #include "checkedEntry.H"
 #include "addToRunTimeSelectionTable.H"
 
+#include <cmath>
+
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
 namespace Foam
@@ -53,6 +55,41 @@ const Foam::dictionary& checked(const Foam::dictionary& dict)
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::coupling::fictitiousDomain::cellsFound()
+{
+    const dem::bodies& state = dem_.state();
+    for (label b = 0; dem_.moves() && b < state.size(); ++b)
+    {
+        if (!kinds_.resolved(b) || !stable_.insert(state.id[b]))
+        {
+            continue;
+        }
+        const dem::shape& s = state.shapeOf(b);
+        const addedMass added(s.volume(), s.inertiaPerDensity());
+        const scalar k = cmptMax(added.mass());
+        const scalar ratio =
+            state.mass[b]/(rho_.uniform()*s.fluidVolume());
+        if (stable(ratio, k, virtualMass_, projections_))
+        {
+            continue;
+        }
+        label enough = projections_ + 1;
+        while (enough < 1000 && !stable(ratio, k, virtualMass_, enough))
+        {
+            ++enough;
+        }
+        FatalErrorInFunction
+            << "Body " << state.id[b] << " (" << s.name() << ") has "
+            << ratio << " of the mass and " << k << " of the added mass of"
+            << " the fluid that it displaces. With fictitiousDomain and"
+            << " projections " << projections_
+            << " its motion swings up from step to step." << nl
+            << "    Take projections " << enough << " or more, or type"
+            << " implicitForcing" << exit(FatalError);
+    }
+}
+
 
 void Foam::coupling::fictitiousDomain::setForcing(const knownFlow&)
 {
@@ -100,6 +137,30 @@ Foam::coupling::fictitiousDomain::fictitiousDomain
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::coupling::fictitiousDomain::stable
+(
+    const scalar ratio,
+    const scalar added,
+    const scalar C,
+    const label n
+)
+{
+    // z^3 + a z^2 + b z + c, see the header
+    const scalar left = std::pow(added/(1 + added), n);
+    const scalar M = ratio + C*added;
+    const scalar p = (1 + added)*(1 - left) - (1 + C*added);
+    const scalar q = (1 + C*added)*left;
+    const scalar a = 2*p/M - left;
+    const scalar b = (2*q - p)/M;
+    const scalar c = -q/M;
+    return
+        1 + a + b + c > 0
+     && 1 - a + b - c > 0
+     && mag(c) < 1
+     && 1 - sqr(c) > mag(a*c - b);
+}
+
 
 Foam::vector Foam::coupling::fictitiousDomain::force
 (
