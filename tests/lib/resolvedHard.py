@@ -52,7 +52,8 @@ def solve(case, ranks):
 
 def names(name, ranks):
     """Name of the case, and what figures get at the end."""
-    return (name, "") if ranks == 1 else ("%s%d" % (name, ranks), str(ranks))
+    return (name, "") if ranks == 1 else (
+        "%s_%d" % (name, ranks), "_%dranks" % ranks)
 
 
 def refining(ranks=1):

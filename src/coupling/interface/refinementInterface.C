@@ -62,7 +62,7 @@ void choosePoints
     {
         // The distance to the body differs by no more than that to the centre
         const point& x = mesh.points()[p];
-        const scalar toCentre = all ? 0 : mag(x - mesh.C()[cell]);
+        const scalar toCentre = all ? 0 : mag(x - mesh.cellCentres()[cell]);
         if
         (
             all
@@ -175,7 +175,7 @@ void Foam::coupling::refinementInterface::mark
             const bodyGeometry body(state, b, solved, shift);
             const auto markCell = [&](const label c)
             {
-                const scalar distance = body.distance(mesh_.C()[c]);
+                const scalar distance = body.distance(mesh_.cellCentres()[c]);
                 const scalar radius = bins_.radius(c);
 
                 choosePoints(mesh_, body, c, distance, radius, inner, chosen);

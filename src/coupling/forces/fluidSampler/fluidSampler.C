@@ -199,7 +199,7 @@ void Foam::coupling::fluidSampler::sampleCells(const UList<point>& points)
     {
         derivedFluid& f = derived_[mine_[i]];
         f.cellSize = std::cbrt(mesh_.V()[cells_[i]]);
-        f.toCentre = mesh_.C()[cells_[i]] - points[mine_[i]];
+        f.toCentre = mesh_.cellCentres()[cells_[i]] - points[mine_[i]];
         f.ownShare = 1;
         if (scheme_ == "cell")
         {

@@ -22,6 +22,10 @@ Foam::coupling::faceSides::faceSides(const fvMesh& mesh)
 
 void Foam::coupling::faceSides::update()
 {
+    // Made on demand by all ranks together: not by those alone that have faces
+    // at a body
+    mesh_.nonOrthDeltaCoeffs();
+
     delta_.setSize(mesh_.boundary().size());
     forAll(delta_, p)
     {
@@ -44,7 +48,7 @@ bool Foam::coupling::faceSides::across
     {
         const label o = mesh_.faceOwner()[face];
         const label other = o == cell ? mesh_.faceNeighbour()[face] : o;
-        d = mesh_.C()[other] - mesh_.C()[cell];
+        d = mesh_.cellCentres()[other] - mesh_.cellCentres()[cell];
         return true;
     }
 

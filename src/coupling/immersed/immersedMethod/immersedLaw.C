@@ -30,7 +30,7 @@ Foam::scalar Foam::coupling::immersedMethod::tightFraction
     // A cell deep below the surface that is nearest: nearer to one that looks
     // the other way?
     const scalar h = edge(bc.cell);
-    const point deep = mesh_.C()[bc.cell] - (bc.phi + h)*bc.n;
+    const point deep = mesh_.cellCentres()[bc.cell] - (bc.phi + h)*bc.n;
     const scalar phi = body.distance(deep);
     if (phi < -(1 - 1e-6)*h || (body.normal(deep) & bc.n) > -0.5)
     {
@@ -58,7 +58,7 @@ void Foam::coupling::immersedMethod::findLinks
         {
             continue;
         }
-        const scalar inside = body.distance(mesh_.C()[bc.cell] + d);
+        const scalar inside = body.distance(mesh_.cellCentres()[bc.cell] + d);
         if (inside >= 0)
         {
             continue;
@@ -89,7 +89,7 @@ void Foam::coupling::immersedMethod::addNeighbours
     const label stamp = ++stamp_;
     for (const bodyCell& bc : cells_[b])
     {
-        if (mag(mesh_.C()[bc.cell] - bc.r - centre) < 1e-3*reach)
+        if (mag(mesh_.cellCentres()[bc.cell] - bc.r - centre) < 1e-3*reach)
         {
             found_[bc.cell] = stamp;
         }
@@ -103,7 +103,11 @@ void Foam::coupling::immersedMethod::addNeighbours
         [&](const label c)
         {
             const scalar far = reach + bins_.radius(c);
-            if (found_[c] != stamp && body.distance(mesh_.C()[c]) <= far)
+            if
+            (
+                found_[c] != stamp
+             && body.distance(mesh_.cellCentres()[c]) <= far
+            )
             {
                 near.append(c);
             }
@@ -114,8 +118,8 @@ void Foam::coupling::immersedMethod::addNeighbours
     {
         readAhead::faces(mesh_, near, k);
         const label c = near[k];
-        bodyCell bc{c, 0, mesh_.C()[c] - centre};
-        bc.phi = body.distance(mesh_.C()[c]);
+        bodyCell bc{c, 0, mesh_.cellCentres()[c] - centre};
+        bc.phi = body.distance(mesh_.cellCentres()[c]);
         bc.rho = rho_[c];
         findLinks(body, bc);
         if (bc.nLinks)
@@ -159,7 +163,8 @@ void Foam::coupling::immersedMethod::findFriction()
         {
             if (bc.beta < 1 && bc.phi >= 0)
             {
-                const vector shift = mesh_.C()[bc.cell] - bc.r - state.x[b];
+                const vector shift =
+                    mesh_.cellCentres()[bc.cell] - bc.r - state.x[b];
                 const bodyGeometry body(state, b, solved_, shift);
                 findLinks(body, bc);
             }

@@ -57,13 +57,13 @@ void Foam::coupling::immersedMethod::addCells
         const scalar beta = fraction_(body, c, bins_.radius(c));
         if (beta > 0)
         {
-            bodyCell bc{c, beta, mesh_.C()[c] - centre};
+            bodyCell bc{c, beta, mesh_.cellCentres()[c] - centre};
             bc.tight = beta;
             bc.rho = rho_[c];
             if (beta < 1)
             {
-                bc.phi = body.distance(mesh_.C()[c]);
-                bc.n = body.normal(mesh_.C()[c]);
+                bc.phi = body.distance(mesh_.cellCentres()[c]);
+                bc.n = body.normal(mesh_.cellCentres()[c]);
                 bc.tight = tightFraction(body, bc);
             }
             cells.append(bc);
