@@ -27,7 +27,7 @@ from cloudCase import copyCase, distance, onRanks as command, readBodies, \
 from figure import figure
 from sceneCases import makeCase
 
-middle = np.array((0.1, 0.1, 0))
+middle = np.array((0.2, 0.2, 0))
 g = 9.81
 
 
@@ -117,7 +117,7 @@ def template():
     """The mesh of all rows, decomposed: two cells, in patches that bodies may
     pass."""
     if not os.path.exists("mesh"):
-        case = makeCase("mesh", edge=(0.2, 0.2, 0.6), n=(2, 1, 1),
+        case = makeCase("mesh", edge=(0.4, 0.4, 0.8), n=(2, 1, 1),
                         kind="patch", properties="demSolver hades;\n")
         setEntry(case + "/system/controlDict", "writeFormat", "binary")
         runIn(case, "blockMesh")
