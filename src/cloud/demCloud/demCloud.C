@@ -246,8 +246,9 @@ void Foam::demCloud::beginStep()
 
         followMesh(t0, t1);
         kindsChanged_ = false;
+        changed = dem_->order();
         findKinds();
-        changed = removeLeaving(t0) > 0;
+        changed = removeLeaving(t0) > 0 || changed;
         const label n = dem_->state().size();
         dem_->enter(t0);
         changed = changed || dem_->state().size() > n;

@@ -181,6 +181,7 @@ Foam::dem::demInput Foam::demCloud::solverInput(const fluidAccess access)
             return autoPtr<dem::bodyOwner>(new dem::bisection);
         };
     }
+    input.mayReorder = !immersedBodies();
     input.restart = cloudState::found(mesh_);
     input.contactError = accuracy_.valid() ? accuracy_->share() : 0;
     input.checkShape =

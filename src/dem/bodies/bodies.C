@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "bodies.H"
+#include "bitSet.H"
 #include "rotation.H"
 
 #include <algorithm>
@@ -18,19 +19,16 @@ License
 namespace
 {
 
-//- Keep the entries of a list that are not marked
+//- Take those entries of a list, in that order
 template<class Type>
-void keep(Foam::DynamicList<Type>& list, const Foam::boolList& marked)
+void gather(Foam::DynamicList<Type>& list, const Foam::labelUList& from)
 {
-    Foam::label n = 0;
-    forAll(list, i)
+    const Foam::List<Type> old(list);
+    list.setSize(from.size());
+    forAll(from, i)
     {
-        if (!marked[i])
-        {
-            list[n++] = list[i];
-        }
+        list[i] = old[from[i]];
     }
-    list.setSize(n);
 }
 
 } // End anonymous namespace
@@ -69,16 +67,9 @@ Foam::label Foam::dem::bodies::append(const newBody& n)
     fluidForce.append(Zero);
     fluidTorque.append(Zero);
 
-    forAll(s.radii(), i)
-    {
-        sphereBody.append(b);
-        sphereX.append(Zero);
-        sphereR.append(s.radii()[i]);
-    }
-    firstSphere.append(sphereX.size());
-
     L[b] = inertiaTensor(b) & n.angularVelocity;
-    updateSpheres(b);
+    appendSpheres(b);
+    byId_.clear();
 
     return b;
 }
@@ -102,14 +93,8 @@ void Foam::dem::bodies::append(const bodyRecord& r)
     fluidForce.append(r.fluidForce);
     fluidTorque.append(r.fluidTorque);
 
-    for (const scalar radius : shapes_[r.shapeI].radii())
-    {
-        sphereBody.append(b);
-        sphereX.append(Zero);
-        sphereR.append(radius);
-    }
-    firstSphere.append(sphereX.size());
-    updateSpheres(b);
+    appendSpheres(b);
+    byId_.clear();
 }
 
 
@@ -138,59 +123,96 @@ void Foam::dem::bodies::setState(const label b, const bodyRecord& r)
 }
 
 
+const Foam::labelList& Foam::dem::bodies::byId() const
+{
+    if (byId_.size() != size())
+    {
+        byId_ = identity(size());
+        std::sort
+        (
+            byId_.begin(),
+            byId_.end(),
+            [&](const label a, const label b) { return id[a] < id[b]; }
+        );
+    }
+    return byId_;
+}
+
+
 Foam::label Foam::dem::bodies::find(const label bodyId) const
 {
-    const auto at = std::lower_bound(id.begin(), id.end(), bodyId);
-    return at != id.end() && *at == bodyId ? label(at - id.begin()) : -1;
+    const labelList& all = byId();
+    const auto at = std::lower_bound
+    (
+        all.begin(),
+        all.end(),
+        bodyId,
+        [&](const label b, const label i) { return id[b] < i; }
+    );
+    return at != all.end() && id[*at] == bodyId ? *at : -1;
 }
 
 
 void Foam::dem::bodies::clear()
 {
-    remove(boolList(size(), true));
+    take(labelList());
     isCopy.clear();
+}
+
+
+Foam::labelList Foam::dem::bodies::unmarked(const boolList& marked)
+{
+    bitSet stays(marked);
+    stays.flip();
+    return stays.toc();
 }
 
 
 void Foam::dem::bodies::remove(const boolList& marked)
 {
-    boolList sphereMarked(nSpheres());
-    forAll(sphereMarked, s)
-    {
-        sphereMarked[s] = marked[sphereBody[s]];
-    }
+    take(unmarked(marked));
+}
 
-    keep(sphereR, sphereMarked);
-    sphereX.setSize(sphereR.size());
-    sphereBody.setSize(sphereR.size());
 
-    keep(id, marked);
-    keep(shapeI, marked);
-    keep(materialI, marked);
-    keep(mass, marked);
-    keep(inertia, marked);
-    keep(x, marked);
-    keep(v, marked);
-    keep(q, marked);
-    keep(L, marked);
-    keep(omega, marked);
-    keep(force, marked);
-    keep(torque, marked);
-    keep(fluidForce, marked);
-    keep(fluidTorque, marked);
+void Foam::dem::bodies::take(const labelUList& from)
+{
+    gather(id, from);
+    gather(shapeI, from);
+    gather(materialI, from);
+    gather(mass, from);
+    gather(inertia, from);
+    gather(x, from);
+    gather(v, from);
+    gather(q, from);
+    gather(L, from);
+    gather(omega, from);
+    gather(force, from);
+    gather(torque, from);
+    gather(fluidForce, from);
+    gather(fluidTorque, from);
+    byId_.clear();
 
     firstSphere.setSize(1);
+    sphereBody.clear();
+    sphereX.clear();
+    sphereR.clear();
     forAll(x, b)
     {
-        const label first = firstSphere[b];
-        const label n = shapeOf(b).radii().size();
-        for (label s = first; s < first + n; ++s)
-        {
-            sphereBody[s] = b;
-        }
-        firstSphere.append(first + n);
-        updateSpheres(b);
+        appendSpheres(b);
     }
+}
+
+
+void Foam::dem::bodies::appendSpheres(const label b)
+{
+    for (const scalar radius : shapeOf(b).radii())
+    {
+        sphereBody.append(b);
+        sphereX.append(Zero);
+        sphereR.append(radius);
+    }
+    firstSphere.append(sphereX.size());
+    updateSpheres(b);
 }
 
 

@@ -12,6 +12,7 @@ License
 #include "nearRanks.H"
 #include "rankMail.H"
 #include "rankSum.H"
+#include "spatialOrder.H"
 
 #include <algorithm>
 #include <chrono>
@@ -141,22 +142,27 @@ Foam::labelList Foam::dem::bodyExchange::arrange
     }
     const List<List<bodyRecord>> in(swapRecords(out));
 
+    // Which of its rank's records it is
     struct place
     {
+        spatialOrder::key key;
         const bodyRecord* record;
-        label rank;
+        label rank, k;
     };
+    const spatialOrder curve(max(meanRadius_, VSMALL));
     DynamicList<place> places(own.size());
-    for (const bodyRecord& r : own)
+    const auto add = [&](const UList<bodyRecord>& records, const label rank)
     {
-        places.append(place{&r, label(Pstream::myProcNo())});
-    }
+        forAll(records, k)
+        {
+            const bodyRecord& r = records[k];
+            places.append(place{isMany_ ? curve.keyOf(r.x) : 0, &r, rank, k});
+        }
+    };
+    add(own, Pstream::myProcNo());
     forAll(in, rank)
     {
-        for (const bodyRecord& r : in[rank])
-        {
-            places.append(place{&r, rank});
-        }
+        add(in[rank], rank);
     }
     std::sort
     (
@@ -164,7 +170,7 @@ Foam::labelList Foam::dem::bodyExchange::arrange
         places.end(),
         [](const place& a, const place& b)
         {
-            return a.record->id < b.record->id;
+            return a.key != b.key ? a.key < b.key : a.record->id < b.record->id;
         }
     );
 
@@ -175,12 +181,11 @@ Foam::labelList Foam::dem::bodyExchange::arrange
     own_.setSize(own.size());
     send_.setSize(in.size());
     receive_.setSize(in.size());
-    labelList source(places.size()), n(in.size(), Zero);
+    labelList source(places.size());
     forAll(in, rank)
     {
         receive_[rank].setSize(in[rank].size());
     }
-    label nOwn = 0;
     forAll(places, b)
     {
         const label rank = places[b].rank;
@@ -188,14 +193,7 @@ Foam::labelList Foam::dem::bodyExchange::arrange
         rank_[b] = rank;
         all_->isCopy[b] = rank != Pstream::myProcNo();
         source[b] = former->find(places[b].record->id);
-        if (all_->isCopy[b])
-        {
-            receive_[rank][n[rank]++] = b;
-        }
-        else
-        {
-            own_[nOwn++] = b;
-        }
+        (all_->isCopy[b] ? receive_[rank] : own_)[places[b].k] = b;
     }
     forAll(toRanks, rank)
     {
@@ -205,8 +203,8 @@ Foam::labelList Foam::dem::bodyExchange::arrange
             send_[rank][k] = own_[toRanks[rank][k]];
         }
     }
-    mostOwn_ = max(mostOwn_, nOwn);
-    mostCopies_ = max(mostCopies_, all_->size() - nOwn);
+    mostOwn_ = max(mostOwn_, own.size());
+    mostCopies_ = max(mostCopies_, all_->size() - own.size());
     return source;
 }
 
@@ -223,6 +221,7 @@ void Foam::dem::bodyExchange::findRadii(const bodies& own)
     const scalar n = group.sum(scalar(own.nSpheres()));
     minRadius_ = n > 0 ? group.min(least) : 0;
     meanRadius_ = n > 0 ? group.sum(sum)/n : 0;
+    isMany_ = n >= spatialOrder::few;
 }
 
 

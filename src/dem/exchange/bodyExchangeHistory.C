@@ -161,10 +161,11 @@ void Foam::dem::bodyExchange::remember
     for (const namedPair& p : pairs)
     {
         verletList::pairHistory h(p.memory);
-        h.pair.i = find(p.i);
-        h.pair.j = find(p.j);
-        if (h.pair.i >= 0 && h.pair.j >= 0 && concerns(p))
+        const label i = find(p.i);
+        const label j = find(p.j);
+        if (i >= 0 && j >= 0 && concerns(p))
         {
+            h.renumber(i, j);
             found.append(h);
         }
         else if (all && concerns(p))

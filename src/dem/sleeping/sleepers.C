@@ -85,21 +85,14 @@ Foam::boolList Foam::dem::sleepers::asleep() const
 }
 
 
-void Foam::dem::sleepers::remove(const UList<bool>& marked)
+void Foam::dem::sleepers::take(const labelUList& from)
 {
-    label n = 0;
+    rest_ = labelList(rest_, from);
+    nAsleep_ = 0;
     forAll(rest_, b)
     {
-        if (!marked[b])
-        {
-            rest_[n++] = rest_[b];
-        }
-        else if (isAsleep(b))
-        {
-            --nAsleep_;
-        }
+        nAsleep_ += isAsleep(b);
     }
-    rest_.setSize(n);
 }
 
 
@@ -265,9 +258,13 @@ bool Foam::dem::sleepers::look
 }
 
 
-void Foam::dem::sleepers::write(dictionary& dict) const
+void Foam::dem::sleepers::write
+(
+    dictionary& dict,
+    const labelUList& order
+) const
 {
-    dict.add("looksAtRest", labelList(rest_));
+    dict.add("looksAtRest", labelList(rest_, order));
     dict.add("credit", credit_);
 }
 
@@ -280,11 +277,7 @@ void Foam::dem::sleepers::read(const dictionary& dict, const label nBodies)
     dict.readIfPresent("credit", credit_);
     saved.setSize(nBodies, 0);
     rest_ = saved;
-    nAsleep_ = 0;
-    forAll(rest_, b)
-    {
-        nAsleep_ += isAsleep(b);
-    }
+    take(identity(nBodies));
 }
 
 

@@ -47,27 +47,40 @@ Foam::scalar secondsSince(const std::chrono::steady_clock::time_point& start)
 
 void Foam::dem::hadesSolver::crossSeams(const scalar slack)
 {
-    if (!input_.period.active())
+    if
+    (
+        !input_.period.active()
+     || (slackBefore_ == slack && movedBefore_ < untilOut_)
+    )
     {
         return;
     }
 
-    bool out = false;
-    for (label b = 0; b < packed_.size() && !out; ++b)
+    scalar least = GREAT;
+    for (label b = 0; b < packed_.size(); ++b)
     {
-        out =
-            packed_.owns(b)
-         && input_.period.turns(packed_.position(b), slack)
-         != labelVector::zero;
+        if (packed_.owns(b))
+        {
+            least = min(least, input_.period.depth(packed_.position(b)));
+        }
     }
-    if (!group_.any(out))
+    least = group_.min(least);
+    slackBefore_ = slack;
+    movedBefore_ = 0;
+    untilOut_ = slack + least;
+    if (untilOut_ > 0)
     {
         return;
     }
 
     packed_.unpackPositions(moving());
-    list_.turn(moving(), takeIn(moving(), slack));
-    packed_.setPositions(moving());
+    const List<labelVector> turns(takeIn(moving(), slack));
+    if (turns.size())
+    {
+        list_.turn(moving(), turns);
+        packed_.setPositions(moving());
+        untilOut_ = slack;
+    }
 }
 
 
@@ -97,6 +110,7 @@ void Foam::dem::hadesSolver::begin(const scalar t, const scalar t1)
         t1 - t
     );
     lastDt_ = 0;
+    untilOut_ = 0;
     if (sleepers_.valid())
     {
         beginSleep();
@@ -180,6 +194,7 @@ bool Foam::dem::hadesSolver::tryStep(const scalar t, const scalar dt)
             {
                 due_ = meetOthers(time, dt);
             }
+            movedBefore_ += packed_.bounds().speed*dt;
             ok = ok && control_->acceptMove(packed_, dt);
             if (ok)
             {
@@ -436,36 +451,6 @@ void Foam::dem::hadesSolver::setMeets(const bool meets, const bool restart)
             << " apart." << nl
             << "    Take a smaller targetError in effects, so that they meet"
             << " sooner." << exit(FatalError);
-    }
-}
-
-
-void Foam::dem::hadesSolver::remove(const boolList& marked)
-{
-    if (exchange_.valid())
-    {
-        state_.remove(marked);
-        exchange_->setChanged();
-        return;
-    }
-
-    labelList newIndex(state_.nSpheres(), -1);
-    label n = 0;
-    forAll(newIndex, s)
-    {
-        if (!marked[state_.sphereBody[s]])
-        {
-            newIndex[s] = n++;
-        }
-    }
-
-    state_.remove(marked);
-    list_.renumber(newIndex);
-    walls_.renumber(newIndex);
-    if (sleepers_.valid())
-    {
-        sleepers_->setSize(marked.size());
-        sleepers_->remove(marked);
     }
 }
 

@@ -297,6 +297,7 @@ void Foam::dem::hadesSolver::enter(const scalar t)
     }
     if (relaxes && overlap)
     {
+        order();
         relax();
     }
 }

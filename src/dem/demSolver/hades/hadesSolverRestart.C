@@ -34,13 +34,34 @@ Foam::dem::contactHistory Foam::dem::hadesSolver::history() const
     history.bridges = materials_.laws().coheres("capillary");
     history.pairsBridged = list_.bridges();
     history.wallsBridged = walls_.bridges();
+
+    const bodies& all = moving();
+    const auto id = [&](const label s) { return all.id[all.sphereBody[s]]; };
+    for (auto* pairs : {&history.pairs, &history.pairsBridged})
+    {
+        for (verletList::pairHistory& h : *pairs)
+        {
+            if (id(h.pair.j) < id(h.pair.i))
+            {
+                h.turnRound();
+            }
+        }
+    }
     return history;
 }
 
 
 void Foam::dem::hadesSolver::setHistory(const contactHistory& history)
 {
-    list_.setHistories(history.pairs, history.pairsBridged);
+    contactHistory h(history);
+    for (auto* pairs : {&h.pairs, &h.pairsBridged})
+    {
+        for (verletList::pairHistory& p : *pairs)
+        {
+            p.renumber(p.pair.i, p.pair.j);
+        }
+    }
+    list_.setHistories(h.pairs, h.pairsBridged);
     walls_.setTouches
     (
         history.walls,
@@ -84,10 +105,11 @@ void Foam::dem::hadesSolver::writeCounters(dictionary& dict) const
     control_->writeState(step);
     dict.add("stepControl", step);
 
+    saved_ = true;
     if (sleepers_.valid())
     {
         dictionary asleep;
-        sleepers_->write(asleep);
+        sleepers_->write(asleep, state_.byId());
         dict.add("sleeping", asleep);
     }
 }

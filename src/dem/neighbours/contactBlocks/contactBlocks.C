@@ -64,6 +64,22 @@ void Foam::dem::contactBlocks::place
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::dem::contactBlocks::pairHistory::turnRound()
+{
+    Swap(pair.i, pair.j);
+    pair.image = periodicity::opposite(pair.image);
+
+    // The velocity along the normal and the angle about it are the same from
+    // either side
+    xi = -xi;
+    for (direction d = 0; d < 3; ++d)
+    {
+        rate[d] = -rate[d];
+        rolled[d] = -rolled[d];
+    }
+}
+
+
 void Foam::dem::contactBlocks::set
 (
     const UList<pairHistory>& touching,

@@ -385,10 +385,11 @@ void Foam::dem::verletList::renumber(const labelUList& newIndex)
         label n = 0;
         for (pairHistory& h : *kept)
         {
-            h.pair.i = newIndex[h.pair.i];
-            h.pair.j = newIndex[h.pair.j];
-            if (h.pair.i >= 0 && h.pair.j >= 0)
+            const label i = newIndex[h.pair.i];
+            const label j = newIndex[h.pair.j];
+            if (i >= 0 && j >= 0)
             {
+                h.renumber(i, j);
                 (*kept)[n++] = pairHistory(h);
             }
         }

@@ -56,11 +56,13 @@ void Foam::dem::touchList::pad
 void Foam::dem::touchList::renumber(const labelUList& newIndex)
 {
     label n = 0;
+    bool sorted = true;
     forAll(accepted, k)
     {
         const label s = newIndex[accepted[k].sphere];
         if (s >= 0)
         {
+            sorted = sorted && (!n || accepted[n - 1].sphere <= s);
             if (rolls)
             {
                 rolled[n] = rolled[k];
@@ -71,6 +73,10 @@ void Foam::dem::touchList::renumber(const labelUList& newIndex)
     }
     accepted.setSize(n);
     rolled.setSize(rolls ? n : 0);
+    if (!sorted)
+    {
+        sort();
+    }
 }
 
 
@@ -83,6 +89,15 @@ void Foam::dem::touchList::add(const touchList& others)
         rolled.append(others.rolled);
     }
 
+    if (n && n < accepted.size())
+    {
+        sort();
+    }
+}
+
+
+void Foam::dem::touchList::sort()
+{
     // Those of one sphere stay in their order
     labelList order(identity(accepted.size()));
     std::stable_sort
@@ -94,13 +109,10 @@ void Foam::dem::touchList::add(const touchList& others)
             return accepted[a].sphere < accepted[b].sphere;
         }
     );
-    if (n && n < accepted.size())
+    accepted = List<wallTouch>(accepted, order);
+    if (rolls)
     {
-        accepted = List<wallTouch>(accepted, order);
-        if (rolls)
-        {
-            rolled = List<wallRolled>(rolled, order);
-        }
+        rolled = List<wallRolled>(rolled, order);
     }
 }
 

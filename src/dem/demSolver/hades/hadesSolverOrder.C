@@ -1,0 +1,82 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "hadesSolver.H"
+#include "spatialOrder.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::dem::hadesSolver::take(const labelUList& from)
+{
+    const labelList formerFirst(state_.firstSphere);
+    labelList newSphere(state_.nSpheres(), -1);
+    state_.take(from);
+    forAll(from, b)
+    {
+        const label first = state_.firstSphere[b];
+        for (label s = first; s < state_.firstSphere[b + 1]; ++s)
+        {
+            newSphere[formerFirst[from[b]] + s - first] = s;
+        }
+    }
+
+    list_.renumber(newSphere);
+    walls_.renumber(newSphere);
+    if (sleepers_.valid())
+    {
+        sleepers_->setSize(formerFirst.size() - 1);
+        sleepers_->take(from);
+    }
+    if (impulse_.valid())
+    {
+        impulse_->restart();
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::dem::hadesSolver::order()
+{
+    if
+    (
+        !input_.mayReorder || exchange_.valid()
+     || state_.nSpheres() < spatialOrder::few
+    )
+    {
+        return false;
+    }
+
+    // To sort takes about as long as a step
+    constexpr scalar most = 0.1;
+    const spatialOrder curve(sum(state_.sphereR)/state_.nSpheres());
+    if (!saved_ && curve.disorder(state_.x) < most)
+    {
+        return false;
+    }
+    take(curve.order(state_.x, state_.id));
+    saved_ = false;
+    return true;
+}
+
+
+void Foam::dem::hadesSolver::remove(const boolList& marked)
+{
+    if (exchange_.valid())
+    {
+        state_.remove(marked);
+        exchange_->setChanged();
+        return;
+    }
+    take(bodies::unmarked(marked));
+}
+
+
+// ************************************************************************* //
