@@ -161,7 +161,12 @@ def styx(case, first, core):
         v = np.array(re.findall(r"\(([0-9.e+-]+) ([0-9.e+-]+) ([0-9.e+-]+)\)",
                                 stream.read()), dtype=float)
     with open(cloud + "contactSlip", "rb") as stream:
-        contacts = int(re.findall(rb"\n(\d+)\n\(", stream.read())[-1])
+        data = stream.read()
+    # Where each body's list begins, then the slips themselves, binary
+    head = rb"\n(\d+)\n\("
+    begins = re.search(head, data)
+    contacts = int(re.compile(head).search(
+        data, begins.end() + 4*int(begins.group(1))).group(1))
     energy = 0.5*2500*np.pi*0.002**3/6*(v**2).sum()
     return seconds, energy, contacts
 

@@ -19,22 +19,8 @@ License
 namespace
 {
 
-using key = Foam::dem::spatialOrder::key;
-
-//- Bits of an index
-constexpr int nBits = 21;
-
-
-//- Two zeros behind each bit
-key spread(key k)
-{
-    k = (k | k << 32) & 0x001f00000000ffffull;
-    k = (k | k << 16) & 0x001f0000ff0000ffull;
-    k = (k | k << 8) & 0x100f00f00f00f00full;
-    k = (k | k << 4) & 0x10c30c30c30c30c3ull;
-    k = (k | k << 2) & 0x1249249249249249ull;
-    return k;
-}
+//- Bits of an index that tell places within a beam
+constexpr int inBeam = 3;
 
 } // End anonymous namespace
 
@@ -43,7 +29,7 @@ key spread(key k)
 
 Foam::dem::spatialOrder::spatialOrder(const scalar meanRadius)
 :
-    side_(std::exp2(std::ceil(std::log2(meanRadius))))
+    side_(std::exp2(std::round(std::log2(2*meanRadius))))
 {}
 
 
@@ -54,25 +40,29 @@ Foam::dem::spatialOrder::key Foam::dem::spatialOrder::keyOf
     const point& x
 ) const
 {
+    constexpr int nBits = 21;
     constexpr scalar half = scalar(key(1) << (nBits - 1));
-    key k = 0;
+    key k[3];
     for (direction d = 0; d < 3; ++d)
     {
         const scalar index = std::floor(x[d]/side_) + half;
-        k |= spread(key(min(max(index, scalar(0)), 2*half - 1))) << d;
+        k[d] = key(min(max(index, scalar(0)), 2*half - 1));
     }
-    return k;
+
+    // Beam, slice, and place in the slice
+    const key beam = (k[2] >> inBeam << (nBits - inBeam)) | k[1] >> inBeam;
+    const key across = (k[2] & 7) << inBeam | (k[1] & 7);
+    return beam << (nBits + 2*inBeam) | k[0] << 2*inBeam | across;
 }
 
 
 Foam::scalar Foam::dem::spatialOrder::disorder(const UList<point>& x) const
 {
-    constexpr int coarse = 3*3;
     label n = 0;
     key before = 0;
     for (const point& p : x)
     {
-        const key k = keyOf(p) >> coarse;
+        const key k = keyOf(p) >> 3*inBeam;
         n += k < before;
         before = k;
     }

@@ -149,14 +149,14 @@ Foam::labelList Foam::dem::bodyExchange::arrange
         const bodyRecord* record;
         label rank, k;
     };
-    const spatialOrder curve(max(meanRadius_, VSMALL));
+    const spatialOrder space(max(meanRadius_, VSMALL));
     DynamicList<place> places(own.size());
     const auto add = [&](const UList<bodyRecord>& records, const label rank)
     {
         forAll(records, k)
         {
             const bodyRecord& r = records[k];
-            places.append(place{isMany_ ? curve.keyOf(r.x) : 0, &r, rank, k});
+            places.append(place{isMany_ ? space.keyOf(r.x) : 0, &r, rank, k});
         }
     };
     add(own, Pstream::myProcNo());

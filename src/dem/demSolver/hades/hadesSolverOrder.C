@@ -56,12 +56,12 @@ bool Foam::dem::hadesSolver::order()
 
     // To sort takes about as long as a step
     constexpr scalar most = 0.1;
-    const spatialOrder curve(sum(state_.sphereR)/state_.nSpheres());
-    if (!saved_ && curve.disorder(state_.x) < most)
+    const spatialOrder space(sum(state_.sphereR)/state_.nSpheres());
+    if (!saved_ && space.disorder(state_.x) < most)
     {
         return false;
     }
-    take(curve.order(state_.x, state_.id));
+    take(space.order(state_.x, state_.id));
     saved_ = false;
     return true;
 }

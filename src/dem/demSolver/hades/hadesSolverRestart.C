@@ -142,6 +142,7 @@ void Foam::dem::hadesSolver::readCounters(const dictionary& dict)
         }
     }
     control_->readState(dict.subDict("stepControl"));
+    saved_ = true;
     if (sleepers_.valid())
     {
         sleepers_->read(dict.subOrEmptyDict("sleeping"), state_.size());
