@@ -150,7 +150,7 @@ Foam::labelList looksAtRest(demCase& c)
 
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
-TEST(demOrder, order)
+TEST(demOrder, beams)
 {
     // A mean radius of 0.3 m makes cubes of 0.5 m, 64 of them a slice of a beam
     // of 4 m
@@ -165,7 +165,9 @@ TEST(demOrder, order)
 
     // The whole beam, then the next one in y, then that in z
     const point next[] =
-        {{3, -4.1, 11.9}, {1e4, -7.9, 8.1}, {-1e4, -3.9, 8.1}, {-1e4, -9, 12.1}};
+    {
+        {3, -4.1, 11.9}, {1e4, -7.9, 8.1}, {-1e4, -3.9, 8.1}, {-1e4, -9, 12.1}
+    };
     for (label k = 0; k < 3; ++k)
     {
         EXPECT_LT(order.keyOf(next[k]), order.keyOf(next[k + 1])) << k;
