@@ -216,6 +216,25 @@ void Foam::dem::bodies::appendSpheres(const label b)
 }
 
 
+Foam::labelList Foam::dem::bodies::sphereMap
+(
+    const labelUList& first,
+    const labelUList& source
+) const
+{
+    labelList map(first.last(), -1);
+    forAll(source, b)
+    {
+        const label begin = firstSphere[b];
+        for (label s = begin; source[b] >= 0 && s < firstSphere[b + 1]; ++s)
+        {
+            map[first[source[b]] + s - begin] = s;
+        }
+    }
+    return map;
+}
+
+
 Foam::vector Foam::dem::bodies::omegaFrom
 (
     const label b,

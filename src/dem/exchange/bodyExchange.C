@@ -360,20 +360,8 @@ void Foam::dem::bodyExchange::reachOut
     }
 
     const labelList formerFirst(all_->firstSphere);
-    labelList newSphere(all_->nSpheres(), -1);
     const labelList source(arrange(records, toRanks));
-    forAll(source, b)
-    {
-        for
-        (
-            label s = all_->firstSphere[b];
-            source[b] >= 0 && s < all_->firstSphere[b + 1];
-            ++s
-        )
-        {
-            newSphere[formerFirst[source[b]] + s - all_->firstSphere[b]] = s;
-        }
-    }
+    const labelList newSphere(all_->sphereMap(formerFirst, source));
     list.renumber(newSphere);
     walls.renumber(newSphere);
 

@@ -35,7 +35,6 @@ inline Foam::label Foam::coupling::volumeFraction::cellCorners::place
 }
 
 
-
 inline Foam::scalar Foam::coupling::volumeFraction::volume(const tet& t)
 {
     return

@@ -16,17 +16,8 @@ License
 void Foam::dem::hadesSolver::take(const labelUList& from)
 {
     const labelList formerFirst(state_.firstSphere);
-    labelList newSphere(state_.nSpheres(), -1);
     state_.take(from);
-    forAll(from, b)
-    {
-        const label first = state_.firstSphere[b];
-        for (label s = first; s < state_.firstSphere[b + 1]; ++s)
-        {
-            newSphere[formerFirst[from[b]] + s - first] = s;
-        }
-    }
-
+    const labelList newSphere(state_.sphereMap(formerFirst, from));
     list_.renumber(newSphere);
     walls_.renumber(newSphere);
     if (sleepers_.valid())
