@@ -16,6 +16,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "demCase.H"
+#include "rotation.H"
 
 #include <cmath>
 #include <random>
@@ -115,9 +116,11 @@ scalar tumble
 (
     const std::string& shapes,
     const std::string& bodies,
-    const std::string& control
+    const std::string& control,
+    label& nSteps
 )
 {
+    nSteps = 0;
     demCase c
     (
         head
@@ -135,6 +138,7 @@ scalar tumble
     for (label k = 0; k < 200; ++k)
     {
         c.run(1e-3);
+        nSteps += c.solver().report().nSteps;
         if (c.solver().report().nContacts == 0)
         {
             worst = std::max
@@ -239,15 +243,53 @@ TEST(demHardClumps, plateAndNeedle)
     const std::string thrownPlate = body("p", "plate", x, v, spin);
     const std::string thrownNeedle = body("n", "needle", x, v, spin);
     const std::string fine = "contactFraction 0.001;";
+    label nSteps = 0;
 
-    figure("hard11_plate", tumble(plate, thrownPlate, fine), 0, 1e-4, "-",
-        "energy, 20:20:1, no damping, 1,000 steps a contact");
-    figure("hard11_needle", tumble(needle, thrownNeedle, fine), 0, 1e-4, "-",
-        "energy, 20:1, the same");
-    figure("hard11_plate_default", tumble(plate, thrownPlate, ""), 0, 1e-2,
-        "-", "20 steps a contact");
-    figure("hard11_needle_default", tumble(needle, thrownNeedle, ""), 0, 1e-2,
-        "-", "the same");
+    figure("hard11_plate", tumble(plate, thrownPlate, "", nSteps), 0, 1e-4,
+        "-", "energy, 20:20:1, no damping, default steps");
+    figure("hard11_needle", tumble(needle, thrownNeedle, "", nSteps), 0, 1e-4,
+        "-", "energy, 20:1, the same");
+    figure("hard11_needle_steps", nSteps, 500, 10000, "steps",
+        "a flight is not bounded by |L| over the least moment");
+    figure("hard11_plate_fine", tumble(plate, thrownPlate, fine, nSteps), 0,
+        1e-5, "-", "1,000 steps a contact");
+    figure("hard11_needle_fine", tumble(needle, thrownNeedle, fine, nSteps),
+        0, 1e-5, "-", "the same");
+}
+
+
+TEST(demHardClumps, spinBound)
+{
+    // All free rotations of a body stay below it, and some come close
+    using namespace Foam::dem;
+    const vector I(1, 7, 7.5);
+    scalar most = 0;
+    std::mt19937 random(4);
+    const auto uniform = [&]() { return random()/2147483648.0 - 1; };
+    for (label trial = 0; trial < 200; ++trial)
+    {
+        Foam::quaternion q(Foam::quaternion::I);
+        const vector spin(uniform(), uniform(), uniform());
+        const vector L(cmptMultiply(I, spin));
+        const scalar bound = largestSpin(L, spin, I);
+        for (label k = 0; k < 5000; ++k)
+        {
+            turn(q, L, I, 0.01);
+            const scalar part = mag(angularVelocity(q, L, I))/bound;
+            most = std::max(most, part);
+        }
+    }
+    figure("spinBound_most", most, 0.99, 1 + 1e-4, "of the bound",
+        "200 free bodies, all moments different");
+    figureNear
+    (
+        "spinBound_needle",
+        largestSpin(vector(0, 700, 0), vector(0, 1, 0), vector(1, 700, 700)),
+        1,
+        1e-10,
+        "rad/s",
+        "a needle that spins across its axis at 1 rad/s"
+    );
 }
 
 

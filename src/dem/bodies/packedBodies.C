@@ -400,14 +400,20 @@ Foam::scalar Foam::dem::packedBodies::paths(std::vector<path>& all) const
         const vector L = c.L + pending_*T;
         const vector omega = angularVelocity(c.q, L, c.inertia);
         const scalar least = cmptMin(c.inertia);
-        const scalar spin = mag(L)/least;
+        const scalar spin = largestSpin(L, omega, c.inertia);
+        const scalar gain = mag(T)/least;
+
+        // A free body's |d omega/dt| is below 0.58 omega^2, as no moment is
+        // above the sum of the others; what a torque adds to omega is in the
+        // margins of the bound below, as long as it turns by 0.01 at most
         longest = min(longest, 0.04/max(spin, VSMALL));
+        longest = min(longest, sqrt(0.02/max(gain, VSMALL)));
         for (label s = c.first; s < c.last; ++s)
         {
             const vector arm = vectorOf(now_.x(s)) - c.x;
             all[s] = p;
             all[s].v += omega ^ arm;
-            all[s].bend += mag(arm)*(2*sqr(spin) + mag(T)/least);
+            all[s].bend += mag(arm)*(2*sqr(spin) + 1.2*gain);
         }
     }
     return longest;

@@ -55,6 +55,21 @@ Foam::vector Foam::dem::angularVelocity
 }
 
 
+Foam::scalar Foam::dem::largestSpin
+(
+    const vector& L,
+    const vector& omega,
+    const vector& inertia
+)
+{
+    const scalar least = cmptMin(inertia);
+    const scalar most = cmptMax(inertia);
+    const scalar square =
+        ((least + most)*(L & omega) - magSqr(L))/(least*most);
+    return max(sqrt(max(square, scalar(0))), mag(omega));
+}
+
+
 void Foam::dem::turn
 (
     quaternion& q,

@@ -41,13 +41,35 @@ Foam::dem::contactStep::contactStep(const dictionary& dict)
         }
     );
     contactFraction_ = getInRange(dict, "contactFraction", 1e-6, 0.2, 0.05);
-    rayleighFraction_ = getInRange(dict, "rayleighFraction", 1e-6, 1, 0.2);
+    rayleighFraction_ = getInRange(dict, "rayleighFraction", 1e-6, 1, 0);
     maxDeltaT_ = getPositive(dict, "maxDeltaT", GREAT);
     minDeltaT_ = getPositive(dict, "minDeltaT", 1e-12);
 }
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::dem::contactStep::rayleighFraction
+(
+    const bodies& state
+) const
+{
+    if (rayleighFraction_ > 0)
+    {
+        return rayleighFraction_;
+    }
+    scalar clumps = 0;
+    if (around_->stuff.laws().damping == "none")
+    {
+        forAll(state.x, b)
+        {
+            clumps = max(clumps, state.shapeOf(b).isSphere() ? 0 : 1);
+        }
+        clumps = around_->group.max(clumps);
+    }
+    return clumps > 0 ? 0.05 : 0.2;
+}
+
 
 void Foam::dem::contactStep::land
 (
@@ -112,7 +134,7 @@ void Foam::dem::contactStep::begin
         shortest = min(shortest, perRadius*form.minRadius());
     }
     speed_ = around.group.max(speed_);
-    wave_ = rayleighFraction_*around.group.min(shortest);
+    wave_ = rayleighFraction(state)*around.group.min(shortest);
 
     // Other forces act from now on
     clear_ = safe_ = 0;
