@@ -207,8 +207,14 @@ void Foam::averagedFluid::setDeltaT()
     const scalar byFlow = control.get<scalar>("maxCo")/(Co + SMALL)*now;
     const scalar byUser = control.getOrDefault<scalar>("maxDeltaT", GREAT);
     const scalar byBodies = cloud_.maxDeltaT();
-    time.setDeltaT(min(min(min(byFlow, byUser), byBodies), 1.2*now));
-    Info<< "deltaT = " << time.deltaTValue() << endl;
+    const scalar others = min(min(byFlow, byUser), 1.2*now);
+    time.setDeltaT(min(others, byBodies));
+    Info<< "deltaT = " << time.deltaTValue();
+    if (byBodies < others)
+    {
+        Info<< ", bounded by " << cloud_.deltaTBound();
+    }
+    Info<< endl;
 }
 
 

@@ -13,6 +13,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "caseCheck.H"
+#include "frictionReach.H"
 #include "sizeLevels.H"
 
 #include <cmath>
@@ -109,10 +110,8 @@ void Foam::caseCheck::checkCorrectors()
         cell = min(cell, k.cell);
     }
 
-    // Each corrector takes friction one cell farther; in a step it reaches
-    // sqrt(nu dt). Measured: 4, 6 and 15 are enough for 4, 40 and 160
     const scalar diffusion = around_.nu*around_.deltaT/sqr(cell);
-    const label wanted = std::ceil(1 + 1.2*std::sqrt(diffusion));
+    const label wanted = coupling::frictionReach::enough(diffusion);
     addFigure
     (
         "diffusionNumber", diffusion, "-",

@@ -233,7 +233,7 @@ void Foam::demCloud::beginStep()
     open_ = true;
     if (interval_.valid())
     {
-        interval_->beginStep();
+        interval_->beginStep(dem_->state());
     }
 
     const scalar t1 = time.value();
@@ -420,7 +420,7 @@ void Foam::demCloud::endStep()
         exchange_.Re = points_->largestRe();
     }
     ledger_.line(*dem_, exchange_);
-    if (interval_.valid())
+    if (interval_.valid() && interval_->shows())
     {
         ledger_.limitFluid(deltaTBound());
     }
@@ -445,7 +445,7 @@ void Foam::demCloud::close()
            /"postProcessing"/"demCloud"/"ledger.dat",
             dem_->group().sum(dem_->state().kineticEnergy())
         );
-        if (interval_.valid())
+        if (interval_.valid() && interval_->shows())
         {
             interval_->writeSummary(Info);
         }

@@ -80,7 +80,7 @@ void Foam::demCloud::closeAccuracy()
             "of the impulses, by the next term of the scheme"
         );
     }
-    if (interval_.valid())
+    if (interval_.valid() && interval_->shows())
     {
         accuracy_->setSeen
         (

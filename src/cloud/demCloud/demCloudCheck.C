@@ -68,15 +68,7 @@ Foam::caseCheck::surroundings Foam::demCloud::surroundings() const
     }
 
     s.film = dict_.subOrEmptyDict("immersed").found("lubrication");
-    for (const char* control : {"PISO", "PIMPLE"})
-    {
-        if (mesh_.solutionDict().found(control))
-        {
-            s.nCorrectors =
-                mesh_.solutionDict().subDict(control)
-               .getOrDefault<label>("nCorrectors", 1);
-        }
-    }
+    s.nCorrectors = coupling::frictionReach::correctorsOf(mesh_);
 
     const IOdictionary meshDict(constantDict(mesh_, "dynamicMeshDict"));
     if

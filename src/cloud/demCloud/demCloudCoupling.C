@@ -258,7 +258,20 @@ Foam::scalar Foam::demCloud::maxDeltaT()
 
 void Foam::demCloud::readInterval(const fluidAccess access)
 {
-    if (access != fluidAccess::none && dict_.found("couplingInterval"))
+    autoPtr<coupling::frictionReach> friction;
+    if (immersed_.valid() && coupling_ == "twoWay")
+    {
+        friction = coupling::frictionReach::New
+        (
+            mesh_,
+            bins_,
+            kinds_,
+            surroundings().nu,
+            dem_->moves()
+        );
+    }
+    const dictionary* entries = dict_.findDict("couplingInterval");
+    if (access != fluidAccess::none && (entries || friction.valid()))
     {
         interval_.reset
         (
@@ -266,8 +279,9 @@ void Foam::demCloud::readInterval(const fluidAccess access)
             (
                 mesh_,
                 bins_,
-                dict_.subDict("couplingInterval"),
-                points_.valid()
+                entries,
+                points_.valid(),
+                std::move(friction)
             )
         );
         if

@@ -131,13 +131,16 @@ Foam::coupling::couplingInterval::couplingInterval
 (
     const fvMesh& mesh,
     const cellBins& bins,
-    const dictionary& dict,
-    const bool points
+    const dictionary* dict,
+    const bool points,
+    autoPtr<frictionReach>&& friction
 )
 :
     mesh_(mesh),
     bins_(bins),
-    dict_(dict),
+    named_(dict),
+    dict_(dict ? *dict : dictionary()),
+    friction_(std::move(friction)),
     every_(1),
     maxCo_(0),
     relaxation_(0),
@@ -153,14 +156,17 @@ Foam::coupling::couplingInterval::couplingInterval
     nExchanges_(0),
     nAbove_(0)
 {
-    readBounds();
+    if (named_)
+    {
+        readBounds();
+    }
     for (const word& key : {"every", "relaxation", "maxChange"})
     {
-        if (dict.found(key) && !points)
+        if (dict_.found(key) && !points)
         {
             dem::badEntry
             (
-                dict,
+                *dict,
                 key,
                 "is for bodies that are points to the fluid; those around"
                 " which the flow is resolved exchange in every step"
@@ -188,12 +194,24 @@ Foam::scalar Foam::coupling::couplingInterval::maxDeltaT
 {
     asked_ = true;
     written_ = mesh_.time().writeTime();
-    return bound(state, points)/max(every_, label(1));
+    scalar least = bound(state, points)/max(every_, label(1));
+    if (friction_.valid())
+    {
+        frictionBound_ = friction_->maxDeltaT(state);
+        cuts_ = mesh_.time().deltaTValue() > frictionBound_;
+        limit(least, frictionBound_, "friction");
+    }
+    return least;
 }
 
 
-void Foam::coupling::couplingInterval::beginStep()
+void Foam::coupling::couplingInterval::beginStep(const dem::bodies& state)
 {
+    if (friction_.valid() && !asked_ && !nSteps_)
+    {
+        friction_->checkFixed(state);
+    }
+
     const bool bounded = every_ && maxCo_ + relaxation_ + maxChange_ > 0;
     if (bounded && !asked_)
     {
@@ -207,7 +225,16 @@ void Foam::coupling::couplingInterval::beginStep()
             << exit(FatalIOError);
     }
     ++nSteps_;
-    if (bounded)
+    if (!bounded && limit_ == "friction")
+    {
+        // Nobody has asked for it: it counts where the step is at it
+        const scalar dt = mesh_.time().deltaTValue();
+        if (!cuts_ && dt < frictionBound_*(1 - 1e-9))
+        {
+            limit_ = "none";
+        }
+    }
+    if (bounded || limit_ == "friction")
     {
         ++held_(limit_);
     }
