@@ -173,9 +173,12 @@ void Foam::demCloud::startWatch
     effectWatch_.reset(new effectWatch(effects_));
     const dictionary saved(chosen_.subOrEmptyDict("watch"));
     const bool points = pointBodies();
+    const bool both = dict_.found("resolved");
     for (const word& name : names)
     {
-        if (points || name == "contacts")
+        // Where there are both, the fluid feels all, and they may meet
+        const bool stays = both && (name == "contacts" || name == "exchange");
+        if ((points || name == "contacts") && !stays)
         {
             effectWatch_->add(name, table && table->on(name));
         }
@@ -184,7 +187,7 @@ void Foam::demCloud::startWatch
     {
         effectWatch_->setState(saved);
     }
-    if (!effectWatch_->on("contacts"))
+    if (effectWatch_->watches("contacts") && !effectWatch_->on("contacts"))
     {
         dem_->setMeets(false, true);
     }

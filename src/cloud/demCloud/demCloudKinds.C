@@ -29,14 +29,14 @@ void Foam::demCloud::checkKinds() const
                 " immersed; take it out, or add what is missing"
             );
         }
-        if (effects_.automatic)
+        if (effects_.automatic && !chosen_.found("resolved"))
         {
             dem::badEntry
             (
                 dict_,
                 "effects",
-                "auto chooses for bodies of one kind and does not go with"
-                " resolved; name the effects"
+                "auto says itself which bodies are resolved; take resolved"
+                " out, or name the effects"
             );
         }
     }

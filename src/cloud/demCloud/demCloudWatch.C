@@ -26,12 +26,21 @@ Foam::HashTable<Foam::scalar> Foam::demCloud::pointShares
     const dem::bodies& state = dem_->state();
     HashTable<scalar> shares;
     scalar largest = 0, volume = 0;
+    boolList solid(kinds_.mixed() ? state.size() : 0);
     forAll(state.x, b)
     {
+        if (kinds_.mixed())
+        {
+            solid[b] = kinds_.resolved(b);
+            if (solid[b])
+            {
+                continue;
+            }
+        }
         largest = max(largest, state.shapeOf(b).equivalentDiameter());
         volume += state.shapeOf(b).volume();
     }
-    if (!state.size())
+    if (!(largest > 0))
     {
         return shares;
     }
@@ -44,20 +53,25 @@ Foam::HashTable<Foam::scalar> Foam::demCloud::pointShares
             std::cbrt(domain_/returnReduce(mesh_.nCells(), sumOp<label>()));
     }
     const bool crowd =
-        thorough || watch.near("contacts") || state.size() <= 2000;
+        thorough || state.size() <= 2000
+     || (watch.watches("contacts") && watch.near("contacts"));
     sceneNumbers n;
     n.nBodies = state.size();
     n.g = mag(dem_->g());
     n.meanFraction = volume/domain_;
     n.fraction =
         crowd
-      ? sceneSurvey::crowd(state, max(3*largest, meanCell_))
+      ? sceneSurvey::crowd(state, max(3*largest, meanCell_), solid)
       : n.meanFraction;
 
     const List<coupling::fluidAtPoint>& fluid = points_->sampled();
     const label stride = 1 + state.size()/1000;
     for (label b = 0; b < state.size(); b += stride)
     {
+        if (kinds_.resolved(b))
+        {
+            continue;
+        }
         const coupling::fluidAtPoint& f = fluid[b];
         n.d = state.shapeOf(b).equivalentDiameter();
         n.rhoP = state.mass[b]/state.shapeOf(b).volume();
@@ -104,7 +118,11 @@ void Foam::demCloud::watchPoints()
 void Foam::demCloud::watchSolids()
 {
     const dem::bodies& state = dem_->state();
-    if (!effectWatch_.valid() || !state.size())
+    if
+    (
+        !effectWatch_.valid() || !state.size()
+     || !effectWatch_->watches("contacts") || kinds_.mixed()
+    )
     {
         return;
     }

@@ -152,11 +152,15 @@ void chooseForces
 
 dictionary fractionModel(const effectTable& table, const bool averaged)
 {
+    // Of those that are points, if there are others
     scalar d = 0, cell = GREAT;
     for (const sceneNumbers& n : table.kinds())
     {
-        d = max(d, n.d);
-        cell = min(cell, n.cell > 0 ? n.cell : GREAT);
+        if (!table.on("resolved") || n.point())
+        {
+            d = max(d, n.d);
+            cell = min(cell, n.cell > 0 ? n.cell : GREAT);
+        }
     }
     dictionary model;
     const bool wide = cell >= 3*d;
@@ -170,6 +174,30 @@ dictionary fractionModel(const effectTable& table, const bool averaged)
         model.add("bandwidth", 6*d);
     }
     return model;
+}
+
+
+//- Which bodies fill cells
+dictionary whichFill(const effectTable& table)
+{
+    dictionary kinds, shapes;
+    bool refines = false;
+    for (const sceneNumbers& n : table.kinds())
+    {
+        refines = refines || n.refines;
+        shapes.set(n.shape, word(n.point() ? "never" : "always"));
+    }
+    if (refines)
+    {
+        // The cells are those of the bodies that fill them
+        kinds.add("shapes", shapes);
+    }
+    else
+    {
+        kinds.add("default", word("auto"));
+        kinds.add("cellsOverDiameter", sceneNumbers::fills);
+    }
+    return kinds;
 }
 
 
@@ -329,7 +357,10 @@ Foam::dictionary Foam::effectChoice::chooseCoupling
              && (properties.found("immersed") || table.on("immersed"))
             )
         );
-    if (solid)
+    const bool both =
+        coupling == "twoWay" && table.on("resolved")
+     && properties.found("forces") == properties.found("immersed");
+    if (solid || both)
     {
         if (!properties.found("immersed"))
         {
@@ -337,7 +368,11 @@ Foam::dictionary Foam::effectChoice::chooseCoupling
             immersed.add("type", word("implicitForcing"));
             put(properties, added, "immersed", immersed);
         }
-        return added;
+        if (!both)
+        {
+            return added;
+        }
+        put(properties, added, "resolved", whichFill(table));
     }
 
     const bool modelB =

@@ -238,8 +238,9 @@ const std::vector<effectLaw> laws
         "a sum to the cells an exchange"
     },
     {
-        "immersed", "cells over diameter", cellsOverDiameter, 2.83, asSolid,
-        "Uhlmann 2005", "volume fractions each step"
+        "immersed", "cells over diameter", cellsOverDiameter,
+        sceneNumbers::fills, asSolid, "Uhlmann 2005",
+        "volume fractions each step"
     },
     {
         "refinement", "domain without bodies", emptyPart, 0, asSolid,

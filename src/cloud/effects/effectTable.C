@@ -106,6 +106,28 @@ Foam::effectTable::effectTable
         "averaging", on("exchange"), "exchange",
         "a void fraction an exchange"
     );
+
+    // Some fill cells, others are points
+    scalar least = GREAT, most = 0;
+    for (const sceneNumbers& n : kinds_)
+    {
+        if (n.inFluid() && n.cell > 0)
+        {
+            least = min(least, n.cellsOverDiameter());
+            most = max(most, n.cellsOverDiameter());
+        }
+    }
+    if (most > 0)
+    {
+        const bool both = least < sceneNumbers::fills
+         && most >= sceneNumbers::fills;
+        add
+        ({
+            "resolved", least, "fewest cells over d, of " + Foam::name(most),
+            sceneNumbers::fills, "Uhlmann 2005", both ? 1.0 : 0.0, both,
+            "a look at sizes each step"
+        });
+    }
 }
 
 

@@ -27,6 +27,7 @@ void Foam::sceneSurvey::makeKinds()
         kind& k = kinds_[i];
         k.shapeI = i/m;
         k.materialI = i % m;
+        k.numbers.shape = dem_.shapes()[k.shapeI].name();
         k.numbers.d = dem_.shapes()[k.shapeI].equivalentDiameter();
         k.numbers.rhoP = dem_.mats().density(k.materialI);
         k.numbers.g = mag(dem_.g());
@@ -147,7 +148,9 @@ void Foam::sceneSurvey::finish(kind& k) const
 {
     sceneNumbers& n = k.numbers;
     n.cell = n.cell < GREAT ? n.cell : meanCell_;
-    n.cell /= scalar(1 << levelsToCome());
+    const label levels = levelsToCome();
+    n.cell /= scalar(1 << levels);
+    n.refines = levels > 0;
     if (!n.inFluid())
     {
         return;

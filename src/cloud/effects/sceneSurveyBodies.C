@@ -75,9 +75,14 @@ void Foam::sceneSurvey::lookAtBodies()
 Foam::scalar Foam::sceneSurvey::crowd
 (
     const dem::bodies& state,
-    const scalar edge
+    const scalar edge,
+    const boolList& leave
 )
 {
+    const auto counts = [&leave](const label b)
+    {
+        return leave.empty() || !leave[b];
+    };
     const auto blockOf = [&](const point& x)
     {
         // Three numbers of 21 bits
@@ -90,19 +95,27 @@ Foam::scalar Foam::sceneSurvey::crowd
 
     std::unordered_map<uint64_t, scalar> volume;
     volume.reserve(state.size());
+    label n = 0;
     forAll(state.x, b)
     {
-        volume[blockOf(state.x[b])] += state.shapeOf(b).volume();
+        if (counts(b))
+        {
+            volume[blockOf(state.x[b])] += state.shapeOf(b).volume();
+            ++n;
+        }
     }
 
     scalar sum = 0;
     forAll(state.x, b)
     {
-        sum +=
-            (volume[blockOf(state.x[b])] - state.shapeOf(b).volume())
-           /pow3(edge);
+        if (counts(b))
+        {
+            sum +=
+                (volume[blockOf(state.x[b])] - state.shapeOf(b).volume())
+               /pow3(edge);
+        }
     }
-    return state.size() ? sum/state.size() : 0;
+    return n ? sum/n : 0;
 }
 
 
