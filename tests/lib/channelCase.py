@@ -40,8 +40,13 @@ meters
 {
     middle { type massFlow; point (%g 0 0); normal (1 0 0); }
     touch { type coordination; }
+    filled
+    {
+        type profile; low (0 0 0); high (%g 0.04 0.08); windows (7 2 3);
+        interval 0.002;
+    }
 }
-""" % (n, length - 0.004, length - 0.02, length/2), text, flags=re.S)
+""" % (n, length - 0.004, length - 0.02, length/2, length), text, flags=re.S)
     with open(file, "w") as stream:
         stream.write(text)
     file = case + "/system/blockMeshDict"

@@ -121,6 +121,61 @@ TEST(pointWeights, linear)
 }
 
 
+TEST(pointWeights, mirrored)
+{
+    // A field that is even in x, y and z and the same if these change places,
+    // and what it is at the images of points
+    const auto value = [](const vector& v)
+    {
+        return
+            std::cos(5*v.x())*std::cos(5*v.y())*std::cos(5*v.z())
+          + sqr(v.x()*v.y()*v.z());
+    };
+    const blockMesh block(blockMesh::kind::hex, 1, 7);
+    const polyMesh& mesh = block();
+    const coupling::cellBins bins(mesh);
+    scalarField inCells(mesh.nCells()), onPoints(mesh.nPoints());
+    forAll(inCells, c)
+    {
+        inCells[c] = value(mesh.cellCentres()[c]);
+    }
+    forAll(onPoints, p)
+    {
+        onPoints[p] = value(mesh.points()[p]);
+    }
+
+    Random random(5);
+    scalar off = 0;
+    for (label k = 0; k < 2000; ++k)
+    {
+        const vector v = 0.49*(2*random.sample01<vector>() - vector::one);
+        const pointField images
+        ({
+            v,
+            vector(-v.x(), v.y(), v.z()),
+            vector(v.x(), -v.y(), v.z()),
+            vector(v.x(), v.y(), -v.z()),
+            vector(v.y(), v.x(), v.z()),
+            vector(v.z(), v.y(), v.x()),
+            vector(-v.z(), -v.y(), v.x())
+        });
+        coupling::pointWeights weights(mesh);
+        weights.find(images, identity(images.size()), cellsOf(bins, images));
+        const scalar first = weights.value<scalar>(0, inCells, onPoints);
+        for (label i = 1; i < images.size(); ++i)
+        {
+            off = max
+            (
+                off,
+                mag(weights.value<scalar>(i, inCells, onPoints) - first)
+            );
+        }
+    }
+    figure("pointWeights_mirrored", off, -noBar, 1e-12, "-",
+        "the same at all images of a point; a diagonal through each face leaves 0.2");
+}
+
+
 TEST(pointWeights, bodyCells)
 {
     PtrList<dem::shape> shapes(1);

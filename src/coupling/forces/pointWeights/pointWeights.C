@@ -21,18 +21,33 @@ bool Foam::coupling::pointWeights::set
 ) const
 {
     const Foam::face& f = mesh_.faces()[face];
-    const label base = max(mesh_.tetBasePtIs()[face], label(0));
-    const label first = (base + triangle) % f.size();
-    t.cell = c;
-    t.vertex[0] = f[base];
-    t.vertex[1] = f[first];
-    t.vertex[2] = f[f.fcIndex(first)];
-
     const pointField& points = mesh_.points();
+    t.cell = c;
     t.centre = mesh_.cellCentres()[c];
+    point third;
+    if (f.size() == 4)
+    {
+        forAll(t.vertex, i)
+        {
+            t.vertex[i] = f[(triangle + i) % 4];
+        }
+        t.quarter = 0.25;
+        third = 0.25*(points[f[0]] + points[f[1]] + points[f[2]] + points[f[3]]);
+    }
+    else
+    {
+        const label base = max(mesh_.tetBasePtIs()[face], label(0));
+        const label first = (base + triangle + 1) % f.size();
+        t.vertex[0] = f[base];
+        t.vertex[1] = f[first];
+        t.vertex[2] = t.vertex[3] = f[f.fcIndex(first)];
+        t.quarter = 0;
+        third = points[t.vertex[2]];
+    }
+
     const vector e1 = points[t.vertex[0]] - t.centre;
     const vector e2 = points[t.vertex[1]] - t.centre;
-    const vector e3 = points[t.vertex[2]] - t.centre;
+    const vector e3 = third - t.centre;
     const vector n1 = e2 ^ e3;
     const scalar volume6 = e1 & n1;
     if (mag(volume6) < 1e-12*mesh_.cellVolumes()[c])
@@ -60,8 +75,8 @@ Foam::coupling::pointWeights::search
     weighted tried = weighted();
     for (const label face : mesh_.cells()[c])
     {
-        const label n = mesh_.faces()[face].size() - 2;
-        for (label i = 1; i <= n; ++i)
+        const label n = nTriangles(face);
+        for (label i = 0; i < n; ++i)
         {
             const scalar depth =
                 set(t, c, face, i) ? locate(x, t, tried) : -GREAT;
@@ -82,7 +97,7 @@ Foam::coupling::pointWeights::search
     {
         // A cell without a volume: its own value
         const face& f = mesh_.faces()[mesh_.cells()[c].first()];
-        best = {c, {f[0], f[1], f[2]}, {1, 0, 0, 0}};
+        best = {c, {f[0], f[1], f[2], f[0]}, {1, 0, 0, 0, 0}};
         return found;
     }
     scalar sum = 0;

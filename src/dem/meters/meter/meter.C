@@ -12,6 +12,7 @@ License
 #include "checkedEntry.H"
 #include "OFstream.H"
 #include "OSspecific.H"
+#include "OStringStream.H"
 #include "Pstream.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -53,6 +54,15 @@ void Foam::dem::meter::report(const fileName& directory, const scalar t)
     {
         return;
     }
+
+    // A meter that looks less often has nothing to say in between
+    OStringStream row;
+    row.precision(12);
+    writeRow(row);
+    if (row.str().empty())
+    {
+        return;
+    }
     if (!table_.valid())
     {
         mkDir(directory);
@@ -60,9 +70,7 @@ void Foam::dem::meter::report(const fileName& directory, const scalar t)
         table_->precision(12);
         *table_ << "# time [s], " << columns().c_str() << nl;
     }
-    *table_ << t;
-    writeRow(*table_);
-    *table_ << endl;
+    *table_ << t << row.str().c_str() << endl;
 }
 
 
