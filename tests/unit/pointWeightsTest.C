@@ -172,7 +172,7 @@ TEST(pointWeights, mirrored)
         }
     }
     figure("pointWeights_mirrored", off, -noBar, 1e-12, "-",
-        "the same at all images of a point; a diagonal through each face leaves 0.2");
+        "the same at all images of a point; diagonals of faces leave 0.2");
 }
 
 

@@ -27,12 +27,13 @@ bool Foam::coupling::pointWeights::set
     point third;
     if (f.size() == 4)
     {
+        third = Zero;
         forAll(t.vertex, i)
         {
             t.vertex[i] = f[(triangle + i) % 4];
+            third += 0.25*points[f[i]];
         }
         t.quarter = 0.25;
-        third = 0.25*(points[f[0]] + points[f[1]] + points[f[2]] + points[f[3]]);
     }
     else
     {
