@@ -23,6 +23,7 @@ Usage
 #include "argList.H"
 #include "columnFvMesh.H"
 #include "demCloud.H"
+#include "earlyChoice.H"
 #include "effectChoice.H"
 #include "effectInput.H"
 #include "pointForce.H"
@@ -168,11 +169,15 @@ int main(int argc, char *argv[])
 
     const demCloud cloud(mesh, demCloud::fluidAccess::none);
     const coupling::cellBins bins(mesh);
-    const effectTable table
+    effectTable table
     (
         sceneSurvey(mesh, bins, cloud.dem(), fluid).numbers(),
         target
     );
+    if (alone && table.kinds().size())
+    {
+        earlyChoice::judgeRest(table, properties, mesh, cloud.dem().g());
+    }
 
     Info<< nl << "styxAdvise: " << runTime.caseName() << " at time "
         << runTime.timeName() << ", "

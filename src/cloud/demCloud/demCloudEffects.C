@@ -10,6 +10,7 @@ License
 
 #include "demCloud.H"
 #include "cloudState.H"
+#include "earlyChoice.H"
 #include "effectChoice.H"
 #include "effectTable.H"
 #include "sceneSurvey.H"
@@ -36,6 +37,68 @@ void addMissing(Foam::dictionary& dict, const Foam::dictionary& more)
     }
 }
 
+//- Are the bodies in a fluid that they may be coupled to?
+bool takesFluid
+(
+    const Foam::dictionary& properties,
+    const Foam::demCloud::fluidAccess access
+)
+{
+    using namespace Foam;
+    return
+        access != demCloud::fluidAccess::none
+     && properties.getOrDefault<word>("coupling", "") != "none";
+}
+
+
+//- Add what the solver of the bodies was made with at the first start
+void resumeEarly(Foam::dictionary& properties, const Foam::fvMesh& mesh)
+{
+    using namespace Foam;
+    const IOdictionary saved
+    (
+        cloudState::counters(mesh, IOobject::READ_IF_PRESENT)
+    );
+    const dictionary& effects = saved.subOrEmptyDict("effects");
+    dictionary early;
+    if (effects.found("sleeping"))
+    {
+        early.add("sleeping", effects.subDict("sleeping"));
+    }
+    for (const char* block : {"forces", "immersed"})
+    {
+        const dictionary& entries = effects.subOrEmptyDict(block);
+        if (entries.found("lubrication"))
+        {
+            early.add(block, entries);
+        }
+    }
+    addMissing(properties, early);
+}
+
+
+//- Say that a film is called for which nobody knows the roughness for
+void adviseFilm
+(
+    const Foam::dictionary& properties,
+    const Foam::effectTable& table
+)
+{
+    bool named = properties.subOrEmptyDict("effects").found("roughness");
+    for (const char* block : {"forces", "immersed"})
+    {
+        named =
+            named || properties.subOrEmptyDict(block).found("lubrication");
+    }
+    if (table.on("lubrication") && !named)
+    {
+        Foam::Info
+            << "    Advice: lubrication is called for, and is left out, as the"
+            << " roughness of the surfaces decides what it does: effects {"
+            << " type auto; roughness 1e-6; }" << Foam::nl;
+    }
+}
+
 } // End anonymous namespace
 
 
@@ -47,7 +110,7 @@ Foam::effectTable Foam::demCloud::judge
     const bool inFluid
 ) const
 {
-    return effectTable
+    effectTable table
     (
         sceneSurvey
         (
@@ -58,6 +121,11 @@ Foam::effectTable Foam::demCloud::judge
         ).numbers(),
         effects_.target
     );
+    if (!inFluid && table.kinds().size())
+    {
+        earlyChoice::judgeRest(table, dict_, mesh_, dem.g());
+    }
+    return table;
 }
 
 
@@ -68,7 +136,13 @@ void Foam::demCloud::chooseContacts(const fluidAccess access)
         return;
     }
     const wordList named(effectChoice::nameContacts(dict_));
-    if (named.size())
+    const bool restart = cloudState::found(mesh_);
+    const bool inFluid = takesFluid(dict_, access);
+    const bool film =
+        inFluid && dict_.subOrEmptyDict("effects").found("roughness");
+    const bool early =
+        !restart && (film || (!inFluid && earlyChoice::mayRest(dict_)));
+    if (named.size() || early)
     {
         // What attracts bodies follows from them, their laws from that; in a
         // restart from those of the first start, so that nothing changes
@@ -77,6 +151,14 @@ void Foam::demCloud::chooseContacts(const fluidAccess access)
         input.restart = false;
         const autoPtr<dem::demSolver> trial(dem::demSolver::New(input));
         effectChoice::dropContacts(dict_, named, judge(*trial, false));
+        if (early)
+        {
+            chosen_ = earlyChoice::choose(dict_, judge(*trial, inFluid));
+        }
+    }
+    if (restart)
+    {
+        resumeEarly(dict_, mesh_);
     }
 }
 
@@ -100,9 +182,7 @@ void Foam::demCloud::chooseEffects
         return;
     }
     const bool byHand = dict_.found("coupling");
-    const bool inFluid =
-        access != fluidAccess::none
-     && !(byHand && dict_.get<word>("coupling") == "none");
+    const bool inFluid = takesFluid(dict_, access);
     const effectTable table(judge(*dem_, inFluid));
     Info<< "    effects auto, target error " << 100*table.target() << " %"
         << nl;
@@ -116,13 +196,17 @@ void Foam::demCloud::chooseEffects
     }
     if (inFluid)
     {
-        chosen_ = effectChoice::chooseCoupling
+        adviseFilm(dict_, table);
+        chosen_.merge
         (
-            dict_,
-            table,
-            access == fluidAccess::act || access == fluidAccess::share,
-            access == fluidAccess::share,
-            mesh_.time().deltaTValue()
+            effectChoice::chooseCoupling
+            (
+                dict_,
+                table,
+                access == fluidAccess::act || access == fluidAccess::share,
+                access == fluidAccess::share,
+                mesh_.time().deltaTValue()
+            )
         );
         coupling_ = dict_.get<word>("coupling");
     }

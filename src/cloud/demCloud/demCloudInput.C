@@ -155,7 +155,11 @@ Foam::dem::demInput Foam::demCloud::solverInput(const fluidAccess access)
         );
     }
     const dictionary& solids = dict_.subOrEmptyDict("immersed");
-    if (immersedBodies() && solids.found(coupling::lubrication::name))
+    if
+    (
+        (immersedBodies() || (effects_.automatic && !dict_.found("coupling")))
+     && solids.found(coupling::lubrication::name)
+    )
     {
         if (input.film.acts())
         {

@@ -28,8 +28,19 @@ Foam::effectInput::effectInput(const dictionary& properties)
     }
 
     const dictionary& dict = properties.subDict("effects");
-    dem::checkKeys(dict, {"type", "targetError", "interval"});
+    dem::checkKeys(dict, {"type", "targetError", "interval", "roughness"});
+    dem::getPositive(dict, "roughness", 1e-6);
     automatic = dem::getChoice(dict, "type", types, "asNamed") == "auto";
+    if (dict.found("roughness") && !automatic)
+    {
+        dem::badEntry
+        (
+            dict,
+            "roughness",
+            "is for type auto, which chooses a film by it; name lubrication in"
+            " forces or immersed"
+        );
+    }
     target = dem::getPositive(dict, "targetError", target);
     if (target < 1e-6 || target > 0.5)
     {
