@@ -24,26 +24,26 @@ from cases import setEntry
 from cloudCase import copyCase, runIn
 
 
-def compare(cells, numbers, shapes, sheds=0):
+def compare(cells, numbers, shapes, sheds=0, folder="square"):
     case = copyCase(os.environ["STYX_DIR"]
-                    + "/tutorials/resolved/squareCylinder", "square")
+                    + "/tutorials/resolved/squareCylinder", folder)
     for Re in numbers:
         for shape in shapes:
-            folder = "square/runs/%s_%s" % (shape, Re)
+            run = "%s/runs/%s_%s" % (folder, shape, Re)
             subprocess.check_call(["./makeCase", shape, Re, str(cells),
-                                   "runs/%s_%s" % (shape, Re)], cwd="square")
+                                   "runs/%s_%s" % (shape, Re)], cwd=folder)
             if sheds:
-                setEntry(folder + "/system/controlDict", "endTime", "%g" % sheds)
-                setEntry(folder + "/system/controlDict", "writeInterval",
+                setEntry(run + "/system/controlDict", "endTime", "%g" % sheds)
+                setEntry(run + "/system/controlDict", "writeInterval",
                          "%g" % sheds)
-                setEntry(folder + "/system/fvSchemes", "ddtSchemes/default",
+                setEntry(run + "/system/fvSchemes", "ddtSchemes/default",
                          "backward")
-                setEntry(folder + "/system/fvSolution",
+                setEntry(run + "/system/fvSolution",
                          "PIMPLE/nOuterCorrectors", "2")
-                edit(folder, "0/U", "uniform (0.0667 0 0)",
+                edit(run, "0/U", "uniform (0.0667 0 0)",
                      "uniform (0.0667 0.03 0)")
-            runIn(folder, "blockMesh")
-            runIn(folder, "pimpleFoam")
+            runIn(run, "blockMesh")
+            runIn(run, "pimpleFoam")
     out = subprocess.check_output(["./results"], cwd=case).decode()
     print(out)
 
