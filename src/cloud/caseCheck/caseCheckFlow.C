@@ -123,8 +123,10 @@ void Foam::caseCheck::checkCorrectors()
         os  << "In a step friction reaches over " << std::sqrt(diffusion)
             << " cells; with nCorrectors " << around_.nCorrectors
             << " the force on the bodies may grow without bounds: take "
-            << wanted << ", or a step of " << around_.deltaT/diffusion
-            << " s.";
+            << wanted << ", or a step of "
+            << around_.deltaT/diffusion
+              *coupling::frictionReach::largest(around_.nCorrectors, true)
+            << " s, which a solver with adjustTimeStep takes by itself.";
         advice_.append(os.str());
     }
 }
