@@ -278,10 +278,12 @@ TEST(demOrder, restart)
     const auto second = gas(true, laws);
     bodies& state = second->state();
     state.clear();
+    Foam::DynamicList<bodyRecord> records;
     for (const label b : all.byId())
     {
-        state.append(all.record(b));
+        records.append(all.record(b));
     }
+    state.take(Foam::identity(records.size()), records);
     const auto number = [&](const label s)
     {
         const label b = all.sphereBody[s];

@@ -85,6 +85,7 @@ struct rank
     )
     {
         state.clear();
+        Foam::DynamicList<bodyRecord> records;
         Foam::DynamicList<bool> isCopy;
         for (label id = 0; id < all.size(); ++id)
         {
@@ -95,10 +96,11 @@ struct rank
                 {
                     r.fluidForce = r.fluidTorque = Foam::Zero;
                 }
-                state.append(r);
+                records.append(r);
                 isCopy.append(copies.found(id));
             }
         }
+        state.take(Foam::identity(records.size()), records);
         state.isCopy = isCopy;
     }
 
@@ -249,10 +251,8 @@ TEST(demRanks, record)
     const Foam::PtrList<shape> forms(ballAndRod());
     bodies all(forms), part(forms);
     fill(all);
-    for (const label b : {1, 3})
-    {
-        part.append(all.record(b));
-    }
+    const Foam::List<bodyRecord> records({all.record(1), all.record(3)});
+    part.take(Foam::labelList({0, 1}), records);
     EXPECT_EQ(part.find(0), -1);
     EXPECT_EQ(part.find(1), 0);
     EXPECT_EQ(part.find(3), 1);

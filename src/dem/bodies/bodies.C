@@ -19,16 +19,24 @@ License
 namespace
 {
 
-//- Take those entries of a list, in that order
+//- Take those entries of a list, in that order; behind its last are others
 template<class Type>
-void gather(Foam::DynamicList<Type>& list, const Foam::labelUList& from)
+void gather
+(
+    Foam::DynamicList<Type>& list,
+    const Foam::labelUList& from,
+    const Foam::UList<Foam::dem::bodyRecord>& others,
+    Type Foam::dem::bodyRecord::* const member
+)
 {
-    const Foam::List<Type> old(list);
-    list.setSize(from.size());
+    const Foam::label n = list.size();
+    Foam::List<Type> taken(from.size());
     forAll(from, i)
     {
-        list[i] = old[from[i]];
+        const Foam::label k = from[i];
+        taken[i] = k < n ? list[k] : others[k - n].*member;
     }
+    list.transfer(taken);
 }
 
 } // End anonymous namespace
@@ -72,29 +80,6 @@ Foam::label Foam::dem::bodies::append(const newBody& n)
     byId_.clear();
 
     return b;
-}
-
-
-void Foam::dem::bodies::append(const bodyRecord& r)
-{
-    const label b = size();
-    id.append(r.id);
-    shapeI.append(r.shapeI);
-    materialI.append(r.materialI);
-    mass.append(r.mass);
-    inertia.append(r.inertia);
-    x.append(r.x);
-    v.append(r.v);
-    q.append(r.q);
-    L.append(r.L);
-    omega.append(r.omega);
-    force.append(r.force);
-    torque.append(r.torque);
-    fluidForce.append(r.fluidForce);
-    fluidTorque.append(r.fluidTorque);
-
-    appendSpheres(b);
-    byId_.clear();
 }
 
 
@@ -174,22 +159,26 @@ void Foam::dem::bodies::remove(const boolList& marked)
 }
 
 
-void Foam::dem::bodies::take(const labelUList& from)
+void Foam::dem::bodies::take
+(
+    const labelUList& from,
+    const UList<bodyRecord>& others
+)
 {
-    gather(id, from);
-    gather(shapeI, from);
-    gather(materialI, from);
-    gather(mass, from);
-    gather(inertia, from);
-    gather(x, from);
-    gather(v, from);
-    gather(q, from);
-    gather(L, from);
-    gather(omega, from);
-    gather(force, from);
-    gather(torque, from);
-    gather(fluidForce, from);
-    gather(fluidTorque, from);
+    gather(id, from, others, &bodyRecord::id);
+    gather(shapeI, from, others, &bodyRecord::shapeI);
+    gather(materialI, from, others, &bodyRecord::materialI);
+    gather(mass, from, others, &bodyRecord::mass);
+    gather(inertia, from, others, &bodyRecord::inertia);
+    gather(x, from, others, &bodyRecord::x);
+    gather(v, from, others, &bodyRecord::v);
+    gather(q, from, others, &bodyRecord::q);
+    gather(L, from, others, &bodyRecord::L);
+    gather(omega, from, others, &bodyRecord::omega);
+    gather(force, from, others, &bodyRecord::force);
+    gather(torque, from, others, &bodyRecord::torque);
+    gather(fluidForce, from, others, &bodyRecord::fluidForce);
+    gather(fluidTorque, from, others, &bodyRecord::fluidTorque);
     byId_.clear();
 
     firstSphere.setSize(1);

@@ -420,6 +420,17 @@ Foam::scalar Foam::dem::packedBodies::paths(std::vector<path>& all) const
 }
 
 
+Foam::scalar Foam::dem::packedBodies::wayLeft
+(
+    const pointField& x,
+    const scalarField& may
+) const
+{
+    const double* from = reinterpret_cast<const double*>(x.cdata());
+    return sweeps_->wayLeft(now_.xv.data(), from, may.cdata(), x.size());
+}
+
+
 Foam::scalar Foam::dem::packedBodies::minRadius() const
 {
     return minRadius_;

@@ -16,6 +16,7 @@ License
 
 #include <algorithm>
 #include <chrono>
+#include <vector>
 
 // * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
 
@@ -59,58 +60,81 @@ void Foam::dem::bodyExchange::migrate
     DynamicList<namedTouch>& touches
 ) const
 {
-    List<DynamicList<bodyRecord>> records(Pstream::nProcs());
+    const label here = Pstream::myProcNo();
     List<DynamicList<namedPair>> pairsTo(Pstream::nProcs());
     List<DynamicList<namedTouch>> touchesTo(Pstream::nProcs());
-    forAll(to, b)
+    const auto ownerOf = [&](const sphereName& s)
     {
-        records[to[b]].append(own.record(b));
-    }
+        const label b = own.find(s.body);
+        return b >= 0 ? to[b] : -1;
+    };
+
+    label nKept = 0;
     for (const namedPair& p : pairs)
     {
-        const label i = own.find(p.i.body);
-        const label j = own.find(p.j.body);
-        const label first = i >= 0 ? to[i] : -1;
-        const label second = j >= 0 ? to[j] : -1;
-        if (first >= 0)
+        const label i = ownerOf(p.i), j = ownerOf(p.j);
+        for (const label rank : {i, j != i ? j : -1})
         {
-            pairsTo[first].append(p);
+            if (rank >= 0 && rank != here)
+            {
+                pairsTo[rank].append(p);
+            }
         }
-        if (second >= 0 && second != first)
+        if (i == here || j == here)
         {
-            pairsTo[second].append(p);
+            pairs[nKept++] = p;
         }
     }
+    pairs.setSize(nKept);
+    nKept = 0;
     for (const namedTouch& t : touches)
     {
-        const label b = own.find(t.i.body);
-        if (b >= 0)
+        const label i = ownerOf(t.i);
+        if (i == here)
         {
-            touchesTo[to[b]].append(t);
+            touches[nKept++] = t;
+        }
+        else if (i >= 0)
+        {
+            touchesTo[i].append(t);
         }
     }
+    touches.setSize(nKept);
 
-    DynamicList<bodyRecord> mine;
+    List<DynamicList<bodyRecord>> records(Pstream::nProcs());
+    DynamicList<label> are(to.size());
+    forAll(to, b)
+    {
+        if (to[b] == here)
+        {
+            are.append(b);
+        }
+        else
+        {
+            records[to[b]].append(own.record(b));
+        }
+    }
+    DynamicList<bodyRecord> come;
     for (const auto& part : swapRecords(records))
     {
-        mine.append(part);
+        come.append(part);
     }
+    forAll(come, k)
+    {
+        are.append(to.size() + k);
+    }
+    const auto idOf = [&](const label k)
+    {
+        return k < to.size() ? own.id[k] : come[k - to.size()].id;
+    };
     std::sort
     (
-        mine.begin(),
-        mine.end(),
-        [](const bodyRecord& a, const bodyRecord& b) { return a.id < b.id; }
+        are.begin(),
+        are.end(),
+        [&](const label a, const label b) { return idOf(a) < idOf(b); }
     );
-    const label nextId = own.nextId();
-    own.clear();
-    for (const bodyRecord& r : mine)
-    {
-        own.append(r);
-    }
-    own.setNextId(nextId);
+    own.take(are, come);
 
-    pairs.clear();
-    touches.clear();
     for (const auto& part : swapRecords(pairsTo))
     {
         pairs.append(part);
@@ -122,9 +146,22 @@ void Foam::dem::bodyExchange::migrate
 }
 
 
+Foam::Map<Foam::label> Foam::dem::bodyExchange::copiesById() const
+{
+    Map<label> place;
+    forAll(all_->isCopy, b)
+    {
+        if (all_->isCopy[b])
+        {
+            place.insert(all_->id[b], b);
+        }
+    }
+    return place;
+}
+
+
 Foam::labelList Foam::dem::bodyExchange::arrange
 (
-    const UList<bodyRecord>& own,
     const UList<DynamicList<label>>& toRanks
 )
 {
@@ -133,7 +170,7 @@ Foam::labelList Foam::dem::bodyExchange::arrange
     {
         for (const label k : toRanks[rank])
         {
-            out[rank].append(own[k]);
+            out[rank].append(all_->record(own_[k]));
 
             // Its owner has what acts on it
             out[rank].last().fluidForce = Zero;
@@ -142,59 +179,72 @@ Foam::labelList Foam::dem::bodyExchange::arrange
     }
     const List<List<bodyRecord>> in(swapRecords(out));
 
-    // Which of its rank's records it is
+    // Former copies are left out, and those of now stand behind all others
     struct place
     {
         spatialOrder::key key;
-        const bodyRecord* record;
-        label rank, k;
+        label id, b, rank, k;
     };
+    const label nFormer = all_->size();
+    const Map<label> formerCopies(copiesById());
     const spatialOrder space(max(meanRadius_, VSMALL));
-    DynamicList<place> places(own.size());
-    const auto add = [&](const UList<bodyRecord>& records, const label rank)
+    std::vector<place> places;
+    places.reserve(2*nFormer);
+    const auto keyOf = [&](const point& x)
     {
-        forAll(records, k)
-        {
-            const bodyRecord& r = records[k];
-            places.append(place{isMany_ ? space.keyOf(r.x) : 0, &r, rank, k});
-        }
+        return isMany_ ? space.keyOf(x) : 0;
     };
-    add(own, Pstream::myProcNo());
+    forAll(own_, k)
+    {
+        const label b = own_[k];
+        const label here = Pstream::myProcNo();
+        places.push_back({keyOf(all_->x[b]), all_->id[b], b, here, k});
+    }
+    DynamicList<bodyRecord> copies;
     forAll(in, rank)
     {
-        add(in[rank], rank);
-    }
-    std::sort
-    (
-        places.begin(),
-        places.end(),
-        [](const place& a, const place& b)
+        forAll(in[rank], k)
         {
-            return a.key != b.key ? a.key < b.key : a.record->id < b.record->id;
+            const bodyRecord& r = in[rank][k];
+            const label b = nFormer + copies.size();
+            places.push_back({keyOf(r.x), r.id, b, rank, k});
+            copies.append(r);
         }
-    );
+    }
 
-    autoPtr<bodies> former(std::move(all_));
-    all_.reset(new bodies(shapes_));
-    all_->isCopy.setSize(places.size());
-    rank_.setSize(places.size());
-    own_.setSize(own.size());
+    // Own ones mostly are in order already
+    const auto before = [](const place& a, const place& b)
+    {
+        return a.key != b.key ? a.key < b.key : a.id < b.id;
+    };
+    const auto middle = places.begin() + own_.size();
+    if (!std::is_sorted(places.begin(), middle, before))
+    {
+        std::sort(places.begin(), middle, before);
+    }
+    std::sort(middle, places.end(), before);
+    std::inplace_merge(places.begin(), middle, places.end(), before);
+
+    const label n = label(places.size());
+    labelList order(n), source(n);
+    all_->isCopy.setSize(n);
+    rank_.setSize(n);
     send_.setSize(in.size());
     receive_.setSize(in.size());
-    labelList source(places.size());
     forAll(in, rank)
     {
         receive_[rank].setSize(in[rank].size());
     }
-    forAll(places, b)
+    forAll(order, b)
     {
-        const label rank = places[b].rank;
-        all_->append(*places[b].record);
-        rank_[b] = rank;
-        all_->isCopy[b] = rank != Pstream::myProcNo();
-        source[b] = former->find(places[b].record->id);
-        (all_->isCopy[b] ? receive_[rank] : own_)[places[b].k] = b;
+        const place& p = places[b];
+        order[b] = p.b;
+        source[b] = p.b < nFormer ? p.b : formerCopies.lookup(p.id, -1);
+        rank_[b] = p.rank;
+        all_->isCopy[b] = p.rank != Pstream::myProcNo();
+        (all_->isCopy[b] ? receive_[p.rank] : own_)[p.k] = b;
     }
+    all_->take(order, copies);
     forAll(toRanks, rank)
     {
         send_[rank].setSize(toRanks[rank].size());
@@ -203,8 +253,8 @@ Foam::labelList Foam::dem::bodyExchange::arrange
             send_[rank][k] = own_[toRanks[rank][k]];
         }
     }
-    mostOwn_ = max(mostOwn_, own.size());
-    mostCopies_ = max(mostCopies_, all_->size() - own.size());
+    mostOwn_ = max(mostOwn_, own_.size());
+    mostCopies_ = max(mostCopies_, n - own_.size());
     return source;
 }
 
@@ -293,15 +343,15 @@ void Foam::dem::bodyExchange::shareOut
     migrate(own, to, pairs, touches);
     findRadii(own);
 
+    all_.reset(new bodies(own));
+    own_ = identity(own.size());
     scalarList radius(own.size());
-    DynamicList<bodyRecord> records(own.size());
     forAll(radius, b)
     {
         radius[b] = own.shapeOf(b).boundingRadius();
-        records.append(own.record(b));
     }
     const scalar reach = reachOf(list, own.sphereR);
-    arrange(records, nearRanks(own.x, radius, reach, period_));
+    arrange(nearRanks(own.x, radius, reach, period_));
 
     if (restarted)
     {
@@ -324,7 +374,6 @@ void Foam::dem::bodyExchange::reachOut
     const label n = own_.size();
     pointField x(n);
     scalarList radius(n);
-    DynamicList<bodyRecord> records(n);
     labelList ownIndex(all_->size(), -1);
     forAll(own_, k)
     {
@@ -332,14 +381,14 @@ void Foam::dem::bodyExchange::reachOut
         ownIndex[b] = k;
         x[k] = packed.position(b);
         radius[k] = all_->shapeOf(b).boundingRadius();
-        records.append(all_->record(b));
     }
     const scalar reach = reachOf(list, all_->sphereR);
     List<DynamicList<label>> toRanks(nearRanks(x, radius, reach, period_));
 
-    for (const auto& histories : {list.histories(), list.bridges()})
+    list.drop();
+    for (const auto* histories : {&list.kept(), &list.keptBridges()})
     {
-        for (const auto& h : histories)
+        for (const auto& h : *histories)
         {
             const label a = all_->sphereBody[h.pair.i];
             const label b = all_->sphereBody[h.pair.j];
@@ -360,7 +409,7 @@ void Foam::dem::bodyExchange::reachOut
     }
 
     const labelList formerFirst(all_->firstSphere);
-    const labelList source(arrange(records, toRanks));
+    const labelList source(arrange(toRanks));
     const labelList newSphere(all_->sphereMap(formerFirst, source));
     list.renumber(newSphere);
     walls.renumber(newSphere);

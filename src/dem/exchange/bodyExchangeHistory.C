@@ -78,8 +78,7 @@ Foam::DynamicList<Foam::dem::namedPair> Foam::dem::bodyExchange::pairsOf
     const verletList& list
 )
 {
-    DynamicList<namedPair> pairs(saved_);
-    saved_.clear();
+    DynamicList<namedPair> pairs(std::move(saved_));
     for (const verletList::pairHistory& h : list.histories())
     {
         pairs.append(namedPair{nameOf(h.pair.i), nameOf(h.pair.j), h});
@@ -98,8 +97,7 @@ Foam::DynamicList<Foam::dem::namedTouch> Foam::dem::bodyExchange::touchesOf
     const wallSet& walls
 )
 {
-    DynamicList<namedTouch> touches(savedTouches_);
-    savedTouches_.clear();
+    DynamicList<namedTouch> touches(std::move(savedTouches_));
     const touchList all(walls.together());
     forAll(all.accepted, k)
     {
@@ -163,10 +161,16 @@ void Foam::dem::bodyExchange::remember
         verletList::pairHistory h(p.memory);
         const label i = find(p.i);
         const label j = find(p.j);
-        if (i >= 0 && j >= 0 && concerns(p))
+        if (i >= 0 && j >= 0)
         {
-            h.renumber(i, j);
-            found.append(h);
+            const bool mine =
+                all_->owns(all_->sphereBody[i])
+             || all_->owns(all_->sphereBody[j]);
+            if (mine)
+            {
+                h.renumber(i, j);
+                found.append(h);
+            }
         }
         else if (all && concerns(p))
         {
@@ -177,22 +181,41 @@ void Foam::dem::bodyExchange::remember
                 << exit(FatalError);
         }
     }
-    std::sort(found.begin(), found.end(), before);
-    found.setSize
+    // Sorted by number, as to move a memory takes longer than to compare
+    labelList order(identity(found.size()));
+    std::sort
     (
-        label(std::unique(found.begin(), found.end(), same) - found.begin())
+        order.begin(),
+        order.end(),
+        [&](const label a, const label b) { return before(found[a], found[b]); }
+    );
+    order.setSize
+    (
+        std::unique
+        (
+            order.begin(),
+            order.end(),
+            [&](const label a, const label b)
+            {
+                return same(found[a], found[b]);
+            }
+        ) - order.begin()
     );
     label nTouching = 0;
-    while (nTouching < found.size() && !found[nTouching].bridge)
+    while (nTouching < order.size() && !found[order[nTouching]].bridge)
     {
         ++nTouching;
     }
+    const label nBridged = order.size() - nTouching;
     list.setHistories
     (
-        SubList<verletList::pairHistory>(found, nTouching),
-        SubList<verletList::pairHistory>
+        List<verletList::pairHistory>
         (
-            found, found.size() - nTouching, nTouching
+            found, SubList<label>(order, nTouching)
+        ),
+        List<verletList::pairHistory>
+        (
+            found, SubList<label>(order, nBridged, nTouching)
         )
     );
 

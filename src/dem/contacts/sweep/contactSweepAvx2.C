@@ -19,6 +19,7 @@ Description
 #include "contactSweep.H"
 #include "leapClumps.H"
 #include "leapSpheres.H"
+#include "wayLeft.H"
 
 const Foam::dem::sweepSet Foam::dem::sweepAvx2
 {
@@ -27,7 +28,8 @@ const Foam::dem::sweepSet Foam::dem::sweepAvx2
     &avx2::sweepReach,
     &avx2::leap,
     &avx2::leapClumps,
-    &avx2::spreadClumps
+    &avx2::spreadClumps,
+    &avx2::wayLeft
 };
 
 

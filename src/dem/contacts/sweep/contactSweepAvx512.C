@@ -19,6 +19,7 @@ Description
 #include "contactSweep.H"
 #include "leapClumps.H"
 #include "leapSpheres.H"
+#include "wayLeft.H"
 
 const Foam::dem::sweepSet Foam::dem::sweepAvx512
 {
@@ -27,7 +28,8 @@ const Foam::dem::sweepSet Foam::dem::sweepAvx512
     &avx512::sweepReach,
     &avx512::leap,
     &avx512::leapClumps,
-    &avx512::spreadClumps
+    &avx512::spreadClumps,
+    &avx512::wayLeft
 };
 
 

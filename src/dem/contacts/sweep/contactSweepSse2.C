@@ -17,6 +17,7 @@ Description
 #include "contactSweep.H"
 #include "leapClumps.H"
 #include "leapSpheres.H"
+#include "wayLeft.H"
 
 const Foam::dem::sweepSet Foam::dem::sweepSse2
 {
@@ -25,7 +26,8 @@ const Foam::dem::sweepSet Foam::dem::sweepSse2
     &sse2::sweepReach,
     &sse2::leap,
     &sse2::leapClumps,
-    &sse2::spreadClumps
+    &sse2::spreadClumps,
+    &sse2::wayLeft
 };
 
 

@@ -237,7 +237,6 @@ void Foam::dem::placement::start
     moved = 0;
     left = part*distance;
     least = worth*part*distance;
-    grain = 0.02*part*distance;
 }
 
 
@@ -245,23 +244,8 @@ bool Foam::dem::placement::over(const packedBodies& state)
 {
     if (moved > left)
     {
-        // The bound is used up: how far have they really moved? A root only
-        // of those who may lower what is left by more than a grain
-        const quadPair* xv = state.spheres().xv.data();
-        const label n = x.size();
-        left = GREAT;
-        for (label s = 0; s < n; ++s)
-        {
-            const quad& c = xv[s].first;
-            const scalar way2 =
-                sqr(c.x - x[s].x()) + sqr(c.y - x[s].y())
-              + sqr(c.z - x[s].z());
-            const scalar spare = allowed[s] - left;
-            if (spare < 0 || way2 > sqr(spare))
-            {
-                left = allowed[s] - sqrt(way2) - grain;
-            }
-        }
+        // The bound is used up: how far have they really moved?
+        left = state.wayLeft(x, allowed);
         moved = 0;
     }
 
@@ -373,12 +357,21 @@ bool Foam::dem::verletList::nearOutdated
 }
 
 
-void Foam::dem::verletList::renumber(const labelUList& newIndex)
+void Foam::dem::verletList::drop()
 {
     if (valid_)
     {
-        drop();
+        kept_ = histories();
+        keptBridges_ = bridges();
+        asleep_.clear();
+        valid_ = false;
     }
+}
+
+
+void Foam::dem::verletList::renumber(const labelUList& newIndex)
+{
+    drop();
 
     for (List<pairHistory>* kept : {&kept_, &keptBridges_})
     {
@@ -404,10 +397,7 @@ void Foam::dem::verletList::turn
     const UList<labelVector>& turns
 )
 {
-    if (valid_)
-    {
-        drop();
-    }
+    drop();
 
     for (List<pairHistory>* kept : {&kept_, &keptBridges_})
     {
@@ -434,12 +424,12 @@ void Foam::dem::verletList::turn
 
 void Foam::dem::verletList::setHistories
 (
-    const UList<pairHistory>& touching,
-    const UList<pairHistory>& bridged
+    List<pairHistory> touching,
+    List<pairHistory> bridged
 )
 {
-    kept_ = touching;
-    keptBridges_ = bridged;
+    kept_ = std::move(touching);
+    keptBridges_ = std::move(bridged);
     asleep_.clear();
     valid_ = false;
 }
