@@ -12,6 +12,7 @@ License
 #include "allowedKeys.H"
 #include "checkedEntry.H"
 #include "rankSum.H"
+#include "volFields.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 

@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "frictionReach.H"
+#include "volFields.H"
 
 #include <cmath>
 

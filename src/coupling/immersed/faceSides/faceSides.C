@@ -9,6 +9,8 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "faceSides.H"
+#include "surfaceFields.H"
+#include "volFields.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
