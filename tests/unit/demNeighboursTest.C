@@ -7,8 +7,6 @@ License
     without any warranty. See the file COPYING.
 
 Description
-
-Description
     The list of neighbours: complete, without doubles, for any mixture of
     sizes and for clusters; histories survive its rebuilding.
 

@@ -15,6 +15,7 @@ Description
 
 #include "demCase.H"
 #include "figure.H"
+#include "sweepData.H"
 
 #include <gtest/gtest.h>
 
@@ -170,6 +171,57 @@ TEST(demSweep, instructions)
             1e-9,
             "of radius, 1 m/s, 100 rad/s",
             "the same with sse2"
+        );
+    }
+}
+
+
+TEST(demSweep, wayLeft)
+{
+    // Each of so many spheres in turn is the one that is nearest to its end,
+    // in any lane and behind the last whole vector
+    for (const std::string name : {"sse2", "avx2", "avx512"})
+    {
+        if (!has(name))
+        {
+            std::cout << "no " << name << " here" << std::endl;
+            continue;
+        }
+        const Foam::dem::sweepSet& sweeps =
+            name == "sse2" ? Foam::dem::sweepSse2
+          : name == "avx2" ? Foam::dem::sweepAvx2
+          : Foam::dem::sweepAvx512;
+        scalar off = 0;
+        for (int n = 1; n < 36; ++n)
+        {
+            std::vector<Foam::dem::quadPair> xv(n);
+            std::vector<point> from(n);
+            std::vector<double> may(n, 10);
+            for (int s = 0; s < n; ++s)
+            {
+                from[s] = point(s, -0.3*s, 0.1*s);
+                const point x(from[s] + 0.5*(1 + s % 3)*vector(2, -3, 6)/7);
+                xv[s] = {{x.x(), x.y(), x.z(), 1e9}, {1e9, 1e9, 1e9, 1e9}};
+            }
+            for (int s = 0; s < n; ++s)
+            {
+                may[s] = 1;
+                const double left = sweeps.wayLeft
+                (
+                    xv.data(), from[0].cdata(), may.data(), n
+                );
+                off = Foam::max(off, Foam::mag(left - 1 + 0.5*(1 + s % 3)));
+                may[s] = 10;
+            }
+            EXPECT_GT
+            (
+                sweeps.wayLeft(xv.data(), from[0].cdata(), may.data(), 0),
+                1e100
+            );
+        }
+        figure
+        (
+            "wayLeft_" + name, off, 0, 1e-13, "m", "2, 3, 6 are 7 long"
         );
     }
 }
