@@ -221,6 +221,7 @@ TEST(profileMeter, wrongInput)
     expect(box + "windows (10000 10000 100);", "a million at most");
     expect(box + "windows (1 1 1); interval -1;", "interval");
     expect(box + "windows (1 1 1); every 3;", "every");
+    expect(box + "window (1 1 1);", "did you mean 'windows'?");
 }
 
 

@@ -62,11 +62,11 @@ Foam::dem::massFlow::massFlow
 )
 :
     meter(name),
-    point_(getFiniteVector(dict, "point")),
-    normal_(getFiniteVector(dict, "normal")),
     period_(0)
 {
     checkKeys(dict, {"type", "point", "normal"});
+    point_ = getFiniteVector(dict, "point");
+    normal_ = getFiniteVector(dict, "normal");
     if (mag(normal_) < SMALL)
     {
         badEntry(dict, "normal", "has no length");

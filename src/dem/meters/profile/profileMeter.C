@@ -159,13 +159,13 @@ Foam::dem::profileMeter::profileMeter
 )
 :
     meter(name),
-    period_(period),
-    low_(getFiniteVector(dict, "low")),
-    high_(getFiniteVector(dict, "high")),
-    number_(dict.get<labelVector>("windows")),
-    interval_(getNonNegative(dict, "interval", 0))
+    period_(period)
 {
     checkKeys(dict, {"type", "low", "high", "windows", "interval"});
+    low_ = getFiniteVector(dict, "low");
+    high_ = getFiniteVector(dict, "high");
+    number_ = dict.get<labelVector>("windows");
+    interval_ = getNonNegative(dict, "interval", 0);
     if (cmptMin(high_ - low_) <= 0)
     {
         badEntry(dict, "high", "must be above low in x, y and z");
