@@ -168,6 +168,7 @@ Foam::averagedFluid::averagedFluid(dynamicFvMesh& mesh)
         dimensionedVector("0", dimAcceleration, Zero),
         zeroGradientFvPatchVectorField::typeName
     ),
+    toldInlet_(false),
     pRefCell_(0),
     pRefValue_(0),
     cumulativeError_(0)

@@ -13,6 +13,7 @@ License
 #include "constrainHbyA.H"
 #include "constrainPressure.H"
 #include "fvc.H"
+#include "fixedFluxPressureFvPatchScalarField.H"
 #include "fixedValueFvPatchFields.H"
 #include "fvm.H"
 #include "zeroGradientFvPatchFields.H"
@@ -137,6 +138,43 @@ Foam::tmp<Foam::volVectorField> Foam::averagedFluid::faceShift() const
 }
 
 
+void Foam::averagedFluid::pushAtPatches(surfaceScalarField& flux)
+{
+    forAll(p_.boundaryField(), patch)
+    {
+        const fvPatchScalarField& p = p_.boundaryField()[patch];
+        if (p.coupled() || p.fixesValue())
+        {
+            continue;
+        }
+        const scalarField& R = resistance_.boundaryField()[patch];
+        const vectorField& U = U_.boundaryField()[patch];
+        const vectorField& S = mesh_.Sf().boundaryField()[patch];
+        if (Foam::isA<fixedFluxPressureFvPatchScalarField>(p))
+        {
+            flux.boundaryFieldRef()[patch] -=
+                mobility_->boundaryField()[patch]
+               *((R*U - push_.boundaryField()[patch]) & S);
+        }
+        else if (!toldInlet_)
+        {
+            // Against what the flow itself brings into its first cells
+            const scalarField V(mesh_.V(), mesh_.boundary()[patch].faceCells());
+            toldInlet_ = gSum(V*R*(-U & S)) > 0.1*gSum(sqr(U & S));
+            if (toldInlet_)
+            {
+                WarningInFunction
+                    << "Bodies resist the flow right at its inlet, the patch "
+                    << mesh_.boundary()[patch].name() << ", where p is "
+                    << p.type() << "." << nl
+                    << "    The first cells see half of its gradient. Choose"
+                    << " fixedFluxPressure for p there." << endl;
+            }
+        }
+    }
+}
+
+
 Foam::tmp<Foam::volScalarField> Foam::averagedFluid::projectFlux()
 {
     // Free where the pressure is
@@ -229,6 +267,7 @@ void Foam::averagedFluid::correctPressure()
         // All that comes in goes out, but for what the bodies displace
         adjustPhi(alphaPhiHbyA, U_, p_);
     }
+    pushAtPatches(alphaPhiHbyA);
     const surfaceScalarField conductivity
     (
         "conductivity",

@@ -11,6 +11,7 @@ License
 #include "fluidSampler.H"
 #include "cellBins.H"
 #include "correctedSnGrad.H"
+#include "fixedGradientFvPatchFields.H"
 #include "fvcSurfaceIntegrate.H"
 #include "gaussGrad.H"
 #include "interpolation.H"
@@ -161,9 +162,21 @@ void Foam::coupling::fluidSampler::samplePressure(const UList<point>& points)
     const volScalarField& p = lookup<volScalarField>("p").oldTime();
     const bool kinematic = p.dimensions() != dimPressure;
     const bool weighs = mesh_.foundObject<volScalarField>("p_rgh");
+    tmp<volVectorField> gradP(gradient(p));
+    forAll(p.boundaryField(), patch)
+    {
+        // What was the old field keeps values at its patches, not gradients
+        const fvPatchScalarField& side = p.boundaryField()[patch];
+        if (isA<fixedGradientFvPatchScalarField>(side))
+        {
+            const vectorField n(side.patch().nf());
+            fvPatchVectorField& g = gradP.ref().boundaryFieldRef()[patch];
+            g += n*(side.fvPatchScalarField::snGrad() - (n & g));
+        }
+    }
     interpolate
     (
-        gradient(p)(),
+        gradP(),
         points,
         [&](const label b, const vector& value)
         {
