@@ -143,10 +143,6 @@ void Foam::averagedFluid::pushAtPatches(surfaceScalarField& flux)
     forAll(p_.boundaryField(), patch)
     {
         const fvPatchScalarField& p = p_.boundaryField()[patch];
-        if (p.coupled() || p.fixesValue())
-        {
-            continue;
-        }
         const scalarField& R = resistance_.boundaryField()[patch];
         const vectorField& U = U_.boundaryField()[patch];
         const vectorField& S = mesh_.Sf().boundaryField()[patch];
@@ -156,7 +152,7 @@ void Foam::averagedFluid::pushAtPatches(surfaceScalarField& flux)
                 mobility_->boundaryField()[patch]
                *((R*U - push_.boundaryField()[patch]) & S);
         }
-        else if (!toldInlet_)
+        else if (!toldInlet_ && Foam::isA<zeroGradientFvPatchScalarField>(p))
         {
             // Against what the flow itself brings into its first cells
             const scalarField V(mesh_.V(), mesh_.boundary()[patch].faceCells());
@@ -166,7 +162,7 @@ void Foam::averagedFluid::pushAtPatches(surfaceScalarField& flux)
                 WarningInFunction
                     << "Bodies resist the flow right at its inlet, the patch "
                     << mesh_.boundary()[patch].name() << ", where p is "
-                    << p.type() << "." << nl
+                    << p.type() << '.' << nl
                     << "    The first cells see half of its gradient. Choose"
                     << " fixedFluxPressure for p there." << endl;
             }
