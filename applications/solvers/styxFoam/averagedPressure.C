@@ -148,9 +148,11 @@ void Foam::averagedFluid::pushAtPatches(surfaceScalarField& flux)
         const vectorField& S = mesh_.Sf().boundaryField()[patch];
         if (Foam::isA<fixedFluxPressureFvPatchScalarField>(p))
         {
+            // Through a wall go neither fluid nor bodies, and f is nothing
+            const vectorField f(R*U - push_.boundaryField()[patch]);
             flux.boundaryFieldRef()[patch] -=
                 mobility_->boundaryField()[patch]
-               *((R*U - push_.boundaryField()[patch]) & S);
+               *pos(mag(U & S) - 1e-9*mag(U)*mag(S) - VSMALL)*(f & S);
         }
         else if (!toldInlet_ && Foam::isA<zeroGradientFvPatchScalarField>(p))
         {
