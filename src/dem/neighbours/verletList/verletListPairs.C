@@ -13,6 +13,31 @@ License
 
 #include <algorithm>
 
+// * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Is a pair within its own reach? That follows from the effective radius R*,
+//  so that small spheres do not have all those around them that a large one
+//  would reach
+inline bool within
+(
+    const Foam::vector& d,
+    const Foam::scalar allowed,
+    const Foam::scalar a,
+    const Foam::scalar b,
+    const Foam::scalar least,
+    const Foam::scalar perRadius
+)
+{
+    using namespace Foam;
+    return magSqr(d) < sqr(allowed + max(least, perRadius*a*b/(a + b)));
+}
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::dem::verletList::search(const packedBodies& state)
@@ -38,7 +63,15 @@ void Foam::dem::verletList::search(const packedBodies& state)
     (
         [&](const label i, const label j)
         {
-            if (state.mayTouch(state.bodyOf(i), state.bodyOf(j)))
+            const bool near =
+                !reaches()
+             || within
+                (
+                    far_.x[i] - far_.x[j], r[i] + r[j],
+                    state.radius(i), state.radius(j),
+                    leastReach_, reachPerRadius_
+                );
+            if (near && state.mayTouch(state.bodyOf(i), state.bodyOf(j)))
             {
                 pairs_.push_back(spherePair(min(i, j), max(i, j)));
             }
@@ -90,9 +123,17 @@ void Foam::dem::verletList::searchImages(const packedBodies& state)
             {
                 Swap(i, j);
             }
+            const label a = source[i], b = source[j];
+            const bool near =
+                !reaches()
+             || within
+                (
+                    x[i] - x[j], r[i] + r[j], state.radius(a),
+                    state.radius(b), leastReach_, reachPerRadius_
+                );
             if
             (
-                image[i] == periodicity::original
+                near && image[i] == periodicity::original
              && state.mayTouch
                 (
                     state.bodyOf(source[i]),
