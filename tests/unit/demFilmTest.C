@@ -182,6 +182,98 @@ TEST(demFilm, pair)
 }
 
 
+TEST(demFilm, widest)
+{
+    // As with cells of 0.8 mm around balls that fill them: in gaps that are
+    // wider the mesh has the flow
+    const auto coarse = [](Foam::dem::demInput& input)
+    {
+        liquid(input);
+        input.film.widest = 0.8*r;
+    };
+    const scalar rStar = 1.5*r, v0 = 0.2;
+    demCase c
+    (
+        balls
+        (
+            body("a", "large", {-3.8*r, 0, 0}, {v0, 0, 0})
+          + body("b", "large", {3.8*r, 0, 0}, {-v0, 0, 0}),
+            ""
+        ),
+        Foam::Zero, none, coarse
+    );
+    scalar l = r;
+    while (l > 0.1*rStar)
+    {
+        c.run(1e-5);
+        l = c.state().x[1].x() - c.state().x[0].x() - 6*r;
+    }
+    figureNear
+    (
+        "film_widest", 2*v0 + (c.state().v[1] - c.state().v[0]).x(),
+        6*M_PI*mu*rStar*rStar/(13.5*mass)*narrowed(rStar, l, 0.8*r), 0.01,
+        "m/s", "closed form, two balls of 6 mm, a film of 0.8 mm at most"
+    );
+
+    // A small one at a large one has its whole film, of 0.75 mm
+    vector v[2];
+    for (const bool whole : {false, true})
+    {
+        demCase d
+        (
+            balls
+            (
+                body("a", "large", {-3*r, 0, 0}, {0, 0, 0})
+              + body("b", "ball", {1.9*r, 0, 0}, {-v0, 0, 0}),
+                ""
+            ),
+            Foam::Zero, none, whole ? liquid : +coarse
+        );
+        d.run(4e-3);
+        v[whole] = d.state().v[1];
+    }
+    figure
+    (
+        "film_widestPoint", mag(v[0] - v[1])/v0, 0, 1e-14, "-",
+        "balls of 2 and 6 mm, as without a widest gap"
+    );
+    figure
+    (
+        "film_widestActs", 1 + v[0].x()/v0, 0.01, 1, "-",
+        "of its velocity, which the film took"
+    );
+}
+
+
+TEST(demFilm, manySizes)
+{
+    // Grains beside a ball, within its reach and not within theirs: the pairs
+    // that are listed follow from R*, and what acts is the same
+    std::string all(body("a", "large", {0, 0, 0}, {0, 0, 0}));
+    for (int k = 0; k < 12; ++k)
+    {
+        const scalar angle = k*M_PI/6;
+        all += body
+        (
+            "b" + std::to_string(k), "ball",
+            4.3*r*vector(std::cos(angle), std::sin(angle), 0),
+            -0.05*vector(std::cos(angle), std::sin(angle), 0)
+        );
+    }
+    demCase c(balls(all, ""), Foam::Zero, none, liquid);
+    c.run(2e-3);
+    scalar least = 1, most = 0;
+    for (int k = 1; k <= 12; ++k)
+    {
+        const scalar v = mag(c.state().v[k])/0.05;
+        least = std::min(least, v);
+        most = std::max(most, v);
+    }
+    figure("film_sizes", most, 0.01, 0.99, "-", "of its velocity, all slower");
+    figure("film_sizesAlike", most - least, 0, 1e-9, "-", "a ring of twelve");
+}
+
+
 TEST(demFilm, rough)
 {
     // Within the roughness, and beyond the range, there is no film

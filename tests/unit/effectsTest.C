@@ -281,11 +281,13 @@ TEST(effects, watch)
     effectWatch watch((effectInput(dict)));
     watch.add("magnus", false);
     watch.add("basset", true);
+    watch.add("drag", true);
     const auto sample = [](const scalar magnus)
     {
         HashTable<scalar> shares;
         shares.set("magnus", magnus);
         shares.set("basset", 0);
+        shares.set("drag", 0);
         return shares;
     };
 
@@ -330,6 +332,7 @@ TEST(effects, watch)
         "ten samples, one in three"
     );
     figure("effectWatch_basset", watch.on("basset"), 1, 1, "-", "keeps memory");
+    figure("effectWatch_drag", watch.on("drag"), 1, 1, "-", "slips stay small");
 }
 
 

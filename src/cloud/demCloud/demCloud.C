@@ -246,7 +246,9 @@ void Foam::demCloud::beginStep()
 
         followMesh(t0, t1);
         kindsChanged_ = false;
-        changed = dem_->order();
+        // Those that fill cells are known by their place in the list; which
+        // they are may have been chosen after the bodies' solver was made
+        changed = !immersed_.valid() && dem_->order();
         findKinds();
         changed = removeLeaving(t0) > 0 || changed;
         const label n = dem_->state().size();

@@ -67,7 +67,9 @@ Foam::caseCheck::surroundings Foam::demCloud::surroundings() const
         s.nu = dimensionedScalar("nu", dimViscosity, transport).value();
     }
 
-    s.film = dict_.subOrEmptyDict("immersed").found("lubrication");
+    s.film =
+        dict_.subOrEmptyDict("immersed").found("lubrication")
+     || dict_.subOrEmptyDict("forces").found("lubrication");
     s.nCorrectors = coupling::frictionReach::correctorsOf(mesh_);
 
     const IOdictionary meshDict(constantDict(mesh_, "dynamicMeshDict"));

@@ -233,6 +233,7 @@ Foam::wordList Foam::demCloud::freeEffects(const fluidAccess access) const
     }
     if (!forces.found("drag"))
     {
+        names.append("drag");
         names.append("denseDrag");
     }
     if (!dict_.found("coupling") && access == fluidAccess::act)

@@ -218,9 +218,13 @@ void Foam::demCloud::switchEffect(const word& name, const bool on)
     {
         switchExchange(on);
     }
-    else if (name == "denseDrag")
+    else if (name == "drag" || name == "denseDrag")
     {
-        const word law(on ? "gidaspow" : "schillerNaumann");
+        const word law
+        (
+            !effectWatch_->on("drag") ? "none"
+          : effectWatch_->on("denseDrag") ? "gidaspow" : "schillerNaumann"
+        );
         dict_.subDict("forces").set("drag", law);
         chosen_.subDict("forces").set("drag", law);
         points_->setDrag(dict_.subDict("forces"));

@@ -61,20 +61,35 @@ scalar smallest(const effectTable& table)
 }
 
 
-//- The film, with the gap from which on the mesh resolves the flow
-dictionary film(const scalar roughness, const scalar range)
+//- The dictionary under a name, made if it is not there
+dictionary& made(dictionary& dict, const word& name)
 {
-    dictionary dict;
-    dict.add("roughness", roughness);
-    if (range > 0)
+    if (!dict.found(name))
     {
-        dict.add("range", min(range, scalar(2)));
+        dict.add(name, dictionary(dict, dictionary()));
+        dict.subDict(name).name() = fileName(dict.name() + '.' + name);
     }
-    return dict;
+    return dict.subDict(name);
 }
 
 
-//- Add the film, in the block that bodies of the scene's kind have
+//- Add entries to a block, and to what was added
+void put
+(
+    dictionary& properties,
+    dictionary& added,
+    const word& block,
+    const dictionary& entries
+)
+{
+    made(properties, block).merge(entries);
+    added.add(block, entries);
+}
+
+
+//- Add the film, in the block that bodies of the scene's kind have. Where some
+//  fill cells and others are points there is one film: it ends at a cell, which
+//  is more than a point has
 void chooseFilm
 (
     dictionary& properties,
@@ -84,35 +99,52 @@ void chooseFilm
 )
 {
     bool meet = false;
-    scalar range = 0;
+    scalar cell = 0;
     for (const sceneNumbers& n : table.kinds())
     {
-        meet = meet || n.nBodies > 1 || n.walls;
-        range = max(range, 2*n.cell/n.d);
+        if (!n.point())
+        {
+            meet = meet || n.nBodies > 1 || n.walls;
+            cell = max(cell, n.cell);
+        }
     }
-    const bool solid = table.on("immersed");
-    if (table.on("resolved") || !(table.on("lubrication") || (solid && meet)))
+    const word coupling(properties.getOrDefault<word>("coupling", "twoWay"));
+    const bool forces = properties.found("forces");
+    const bool named = properties.found("immersed");
+    const bool solid =
+        coupling == "twoWay" && table.on("immersed") && (named || !forces);
+    const bool points =
+        !solid || forces || (table.on("resolved") && !named);
+    const dictionary& given = properties.subOrEmptyDict("forces");
+    if
+    (
+        coupling == "particlesToFluid" || given.found("coarseGraining")
+     || !(table.on("lubrication") || (solid && meet))
+     || given.found("lubrication")
+     || properties.subOrEmptyDict("immersed").found("lubrication")
+    )
     {
         return;
     }
-    const word block(solid ? "immersed" : "forces");
-    dictionary entries;
-    if (solid && !properties.found(block))
+
+    dictionary film;
+    film.add("roughness", roughness);
+    if (solid)
     {
-        entries.add("type", word("implicitForcing"));
+        film.add("widest", cell);
     }
-    entries.add("lubrication", film(roughness, solid ? range : 0));
-    if (!properties.found(block))
+    dictionary entries, forcing;
+    forcing.add("type", word("implicitForcing"));
+    if (points && solid && !named)
     {
-        properties.add(block, dictionary(properties, dictionary()));
-        properties.subDict(block).name() =
-            fileName(properties.name() + '.' + block);
+        put(properties, added, "immersed", forcing);
     }
-    if (!properties.subDict(block).found("lubrication"))
+    if (!points && !named)
     {
-        properties.subDict(block).merge(entries);
-        added.add(block, entries);
+        entries = forcing;
     }
+    entries.add("lubrication", film);
+    put(properties, added, points ? "forces" : "immersed", entries);
 }
 
 } // End anonymous namespace

@@ -81,7 +81,8 @@ typedef const sceneNumbers& scene;
 
     scalar history(scene n)
     {
-        return std::sqrt(9*n.rhoF/((2*n.rhoP + n.rhoF)*n.f()));
+        return
+            std::sqrt(9*n.rhoF/((2*n.rhoP + n.rhoF)*n.f()))*n.dragShare();
     }
 
     scalar shearLift(scene n)
@@ -214,7 +215,8 @@ const std::vector<effectLaw> laws
         "thesis 3.3", "a gradient of u an exchange"
     },
     {
-        "basset", "history over drag", history, 0, asPoint, "thesis 3.4",
+        "basset", "history over drag or weight", history, 0, asPoint,
+        "thesis 3.4",
         "20 to 30 vectors of memory a body"
     },
     {

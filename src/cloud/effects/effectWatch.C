@@ -20,6 +20,11 @@ namespace
 constexpr Foam::scalar farBelow = 0.2;
 constexpr Foam::label patience = 10;
 
+//- What is not switched off: the past that a force remembers would be lost; the
+//  slip is small because of the drag, and a fluid that creeps through a bed at
+//  rest feels nothing else
+const Foam::wordList stays({"basset", "drag"});
+
 } // End anonymous namespace
 
 
@@ -62,7 +67,7 @@ Foam::wordList Foam::effectWatch::judge(const HashTable<scalar>& shares)
         else if (e.on && thorough)
         {
             e.calm = e.share < farBelow*target_ ? e.calm + 1 : 0;
-            if (e.calm >= patience && name != "basset")
+            if (e.calm >= patience && !stays.found(name))
             {
                 e = effect{false, 0, e.share};
                 changed.append(name);

@@ -46,7 +46,7 @@ Foam::dem::squeezedFilm Foam::coupling::lubrication::read
         );
     }
     const dictionary& dict = forces.subDict(name);
-    dem::checkKeys(dict, {"roughness", "range"});
+    dem::checkKeys(dict, {"roughness", "range", "widest"});
 
     const fluidDensity rho(mesh.thisDb(), fluid);
     if (rho.isField())
@@ -77,8 +77,23 @@ Foam::dem::squeezedFilm Foam::coupling::lubrication::read
     film.roughness = dem::getPositive(dict, "roughness", 1e-12, 1);
     film.range = dem::getInRange(dict, "range", 1e-6, 2, 1);
     Info<< "    lubrication: " << film.viscosity << " Pa s, from "
-        << film.range << " effective radii down to " << film.roughness
-        << " m" << endl;
+        << film.range << " effective radii";
+    if (dict.found("widest"))
+    {
+        film.widest = dem::getPositive(dict, "widest");
+        if (film.widest <= film.roughness)
+        {
+            dem::badEntry
+            (
+                dict,
+                "widest",
+                "is " + Foam::name(film.widest) + " m, not above the roughness,"
+                " within which there is no film"
+            );
+        }
+        Info<< ", " << film.widest << " m at most";
+    }
+    Info<< " down to " << film.roughness << " m" << endl;
     return film;
 }
 
@@ -90,7 +105,12 @@ Foam::dem::squeezedFilm Foam::coupling::lubrication::belowGrid
     const dictionary& immersed
 )
 {
-    if (immersed.isDict(name) && !immersed.subDict(name).found("range"))
+    const dictionary& film = immersed.subOrEmptyDict(name);
+    if
+    (
+        immersed.isDict(name)
+     && !film.found("range") && !film.found("widest")
+    )
     {
         dem::badEntry
         (
@@ -98,7 +118,8 @@ Foam::dem::squeezedFilm Foam::coupling::lubrication::belowGrid
             name,
             "needs the gap from which on the mesh resolves the flow, over the"
             " effective radius:\n    lubrication { roughness 1e-6; range 0.1; }"
-            " if a cell is a tenth of the radius"
+            " if a cell is a tenth of the radius;\n"
+            "    or in metres, the edge of a cell:  widest 0.001;"
         );
     }
     return read(mesh, fluid, immersed);
