@@ -318,11 +318,13 @@ def rod(name, turns):
 
 
 def leftAlone(name, n, steps):
-    """13: a bed that has settled for 0.6 s, and so many steps after that."""
+    """13: a bed that has settled for 0.6 s, and so many steps after that; the
+    run is written each twentieth of these, and at its end."""
     d = 2e-3
-    w, dt, start = 1.1*d*n, 1e-5, 0.6
+    w, dt = 1.1*d*n, 1e-5
     low, high = np.array((-w/2, -w/2, 0)), np.array((w/2, w/2, 0.5))
     part = steps*dt/20
+    start = part*np.ceil(0.6/part - 1e-9)
     both = onRanks(name, head(5e6, "restitution 0.5; friction 0.5;",
                               control="type fixed; deltaT 1e-5;")
                    + shape % ("ball", d) + boxWalls(low, high)
