@@ -83,7 +83,8 @@ void Foam::caseCheck::collectBodies()
     const label stride = 1 + state.size()/1000;
 
     shareKinds();
-    const boolList inside(coupling::areInMesh(mesh_, bins_, dem_));
+    const labelList cells(coupling::cellsOf(bins_, state.x));
+    const boolList inside(coupling::areInMesh(mesh_, bins_, dem_, cells));
     forAll(state.x, b)
     {
         kind& k = kindOf(state.shapeI[b], state.materialI[b]);

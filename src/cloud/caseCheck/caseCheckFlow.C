@@ -14,6 +14,7 @@ Description
 
 #include "caseCheck.H"
 #include "frictionReach.H"
+#include "presentBodies.H"
 #include "sizeLevels.H"
 
 #include <cmath>
@@ -52,7 +53,20 @@ void Foam::caseCheck::checkThickness()
 void Foam::caseCheck::checkGaps()
 {
     // Gaps count that are narrower than a cell
-    const dem::bodies& state = dem_.state();
+    scalar widest = 0;
+    for (const kind& k : kinds_)
+    {
+        widest = k.cell < GREAT ? max(widest, k.cell) : widest;
+    }
+    coupling::presentBodies present(mesh_, dem_);
+    present.find
+    (
+        [&](const label b)
+        {
+            return dem_.state().shapeOf(b).boundingRadius() + widest;
+        }
+    );
+    const dem::bodies& state = present();
     scalarField cell(state.nSpheres());
     forAll(cell, s)
     {

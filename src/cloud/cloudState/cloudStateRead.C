@@ -272,6 +272,14 @@ bool Foam::cloudState::read
 
     // What contacts remember comes together while no body has left yet
     dem.shareOut();
+    if (points)
+    {
+        points->moveMemory();
+    }
+    if (immersed)
+    {
+        immersed->moveMemory();
+    }
 
     // The name of a time directory has fewer digits than the time
     const_cast<Time&>(mesh.time()).setTime(time, mesh.time().timeIndex());

@@ -155,13 +155,7 @@ void Foam::demCloud::markInterface()
         mesh_.pointCells();
 
         ledger::entry e(ledger_, "refinement around the bodies");
-        interface_->mark
-        (
-            dem_->state(),
-            kinds_,
-            patches_.period(),
-            2*mesh_.time().deltaTValue()
-        );
+        interface_->mark(*dem_, kinds_, 2*mesh_.time().deltaTValue());
     }
 }
 
@@ -261,6 +255,14 @@ void Foam::demCloud::beginStep()
         startForces(n);
         changed = changed || kindsChanged_;
         dem_->shareOut();
+        if (points_.valid())
+        {
+            points_->moveMemory();
+        }
+        if (immersed_.valid())
+        {
+            immersed_->moveMemory();
+        }
     }
 
     if (exchanged_.valid() && changed)

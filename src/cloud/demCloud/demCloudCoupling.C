@@ -267,7 +267,7 @@ void Foam::demCloud::readInterval(const fluidAccess access)
             bins_,
             kinds_,
             surroundings().nu,
-            dem_->moves()
+            *dem_
         );
     }
     const dictionary* entries = dict_.findDict("couplingInterval");

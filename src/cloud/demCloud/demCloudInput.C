@@ -12,7 +12,6 @@ License
 #include "cloudState.H"
 #include "couplingAccuracy.H"
 #include "allowedKeys.H"
-#include "bisection.H"
 #include "checkedEntry.H"
 #include "dictionaryText.H"
 #include "dynamicRefineFvMesh.H"
@@ -100,19 +99,6 @@ Foam::vector Foam::demCloud::readGravity() const
 }
 
 
-bool Foam::demCloud::sharesOut(const fluidAccess access) const
-{
-    // What a fluid feels, and the refinement around the bodies, want all
-    // bodies on each rank
-    const bool chosenLater =
-        effects_.automatic && access != fluidAccess::none
-     && !dict_.found("coupling");
-    return
-        coupling_ == "none" && access != fluidAccess::act && !chosenLater
-     && !dict_.found("watchdog");
-}
-
-
 Foam::dem::demInput Foam::demCloud::solverInput(const fluidAccess access)
 {
     dem::demInput input(dict_);
@@ -178,13 +164,7 @@ Foam::dem::demInput Foam::demCloud::solverInput(const fluidAccess access)
             solids
         );
     }
-    if (sharesOut(access))
-    {
-        input.owner = []()
-        {
-            return autoPtr<dem::bodyOwner>(new dem::bisection);
-        };
-    }
+    setOwner(access, input);
     input.mayReorder = !immersedBodies();
     input.restart = cloudState::found(mesh_);
     input.contactError = accuracy_.valid() ? accuracy_->share() : 0;

@@ -16,18 +16,8 @@ License
 
 Foam::boolList Foam::demCloud::areInside()
 {
-    if (dem_->group().shared())
-    {
-        return coupling::areInMesh(mesh_, bins_, *dem_);
-    }
     const labelList& cells = cells_.find(dem_->state());
-    boolList inside(cells.size());
-    forAll(inside, b)
-    {
-        inside[b] = cells[b] >= 0;
-    }
-    dem::anyOverRanks(inside);
-    return inside;
+    return coupling::areInMesh(mesh_, bins_, *dem_, cells);
 }
 
 

@@ -77,7 +77,16 @@ void Foam::lagrangianWriter::locateShared
     const UList<point>& points
 )
 {
-    const labelList rank(coupling::nearestRanksOf(mesh_, bins, points));
+    const labelList rank
+    (
+        coupling::nearestRanksOf
+        (
+            mesh_,
+            bins,
+            points,
+            coupling::cellsOf(bins, points)
+        )
+    );
     forAll(rank, i)
     {
         toRanks_[rank[i]].append(i);

@@ -20,8 +20,8 @@ namespace
 
 using namespace Foam;
 
-//- Ask ranks for points, given by their numbers, and hear a number for each;
-//  the least answer counts. hear(point, rank, answer)
+//- Ask ranks for points, given by their numbers, and hear a number for each:
+//  hear(point, rank, answer), in the order of the ranks
 template<class Answer, class Hear>
 void ask
 (
@@ -65,11 +65,27 @@ void ask
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
+Foam::labelList Foam::coupling::cellsOf
+(
+    const cellBins& bins,
+    const UList<point>& points
+)
+{
+    labelList cells(points.size());
+    forAll(cells, i)
+    {
+        cells[i] = bins.find(points[i]);
+    }
+    return cells;
+}
+
+
 Foam::labelList Foam::coupling::ranksOf
 (
     const polyMesh& mesh,
     const cellBins& bins,
-    const UList<point>& points
+    const UList<point>& points,
+    const labelUList& cells
 )
 {
     const label me = Pstream::myProcNo();
@@ -84,18 +100,27 @@ Foam::labelList Foam::coupling::ranksOf
         box.inflate(1e-6);
     }
 
+    // Who is well inside of a cell is in no other
     labelList rank(points.size(), -1);
+    scalarList claim(points.size(), -GREAT);
     List<DynamicList<label>> toRanks(boxes.size());
     forAll(points, i)
     {
-        if (bins.find(points[i]) >= 0)
+        bool sure = false, asked = false;
+        if (cells[i] >= 0)
         {
             rank[i] = me;
-            continue;
+            claim[i] = bins.claim(cells[i]);
         }
         forAll(boxes, r)
         {
-            if (r != me && boxes[r].contains(points[i]))
+            if (r == me || sure || !boxes[r].contains(points[i]))
+            {
+                continue;
+            }
+            sure = !asked && bins.depth(points[i], cells[i]) > 0;
+            asked = true;
+            if (!sure)
             {
                 toRanks[r].append(i);
             }
@@ -105,11 +130,16 @@ Foam::labelList Foam::coupling::ranksOf
     (
         points,
         toRanks,
-        [&](const point& p) { return scalar(bins.find(p) >= 0); },
-        [&](const label i, const label r, const scalar holds)
+        [&](const point& p)
         {
-            if (holds > 0 && (rank[i] < 0 || r < rank[i]))
+            const label c = bins.find(p);
+            return c < 0 ? -GREAT : bins.claim(c);
+        },
+        [&](const label i, const label r, const scalar theirs)
+        {
+            if (theirs > claim[i])
             {
+                claim[i] = theirs;
                 rank[i] = r;
             }
         }
@@ -122,10 +152,11 @@ Foam::labelList Foam::coupling::nearestRanksOf
 (
     const polyMesh& mesh,
     const cellBins& bins,
-    const UList<point>& points
+    const UList<point>& points,
+    const labelUList& cells
 )
 {
-    labelList rank(ranksOf(mesh, bins, points));
+    labelList rank(ranksOf(mesh, bins, points, cells));
 
     const scalar most = mesh.bounds().mag();
     scalarList least(points.size(), GREAT);
@@ -166,14 +197,14 @@ Foam::boolList Foam::coupling::areInMesh
 (
     const polyMesh& mesh,
     const cellBins& bins,
-    const dem::demSolver& dem
+    const dem::demSolver& dem,
+    const labelUList& cells
 )
 {
-    const dem::bodies& state = dem.state();
-    boolList inside(state.size());
+    boolList inside(cells.size());
     if (dem.group().shared())
     {
-        const labelList rank(ranksOf(mesh, bins, state.x));
+        const labelList rank(ranksOf(mesh, bins, dem.state().x, cells));
         forAll(inside, b)
         {
             inside[b] = rank[b] >= 0;
@@ -182,7 +213,7 @@ Foam::boolList Foam::coupling::areInMesh
     }
     forAll(inside, b)
     {
-        inside[b] = bins.find(state.x[b]) >= 0;
+        inside[b] = cells[b] >= 0;
     }
     dem::anyOverRanks(inside);
     return inside;

@@ -139,12 +139,33 @@ bool Foam::coupling::refinementInterface::asked(const fvMesh& mesh)
 
 void Foam::coupling::refinementInterface::mark
 (
-    const dem::bodies& state,
+    const dem::demSolver& dem,
     const bodyKinds& kinds,
-    const dem::periodicity& period,
     const scalar ahead
 )
 {
+    // How far around it a body reaches, moving on: all is refined, or kept
+    const auto innerOf = [&](const dem::bodies& state, const label b)
+    {
+        const dem::shape& s = state.shapeOf(b);
+        const scalar motion =
+            ahead
+           *(mag(state.v[b]) + mag(state.omega[b])*s.fluidRadius());
+        return layer_*s.equivalentDiameter() + motion;
+    };
+    const auto reachOf = [&](const dem::bodies& state, const label b)
+    {
+        return state.shapeOf(b).fluidRadius() + 1.5*innerOf(state, b);
+    };
+    const scalar cell = dem.group().max(bins_.maxRadius());
+    presentBodies present(mesh_, dem);
+    present.find
+    (
+        [&](const label b) { return reachOf(dem.state(), b) + 2*cell; }
+    );
+    const dem::bodies& state = present();
+    const dem::periodicity& period = dem.period();
+
     scalarField& value = field_.primitiveFieldRef();
     value = 0;
     bitSet chosen(mesh_.nPoints());
@@ -161,13 +182,9 @@ void Foam::coupling::refinementInterface::mark
         {
             continue;
         }
-        const dem::shape& s = state.shapeOf(b);
-        const scalar motion =
-            ahead
-           *(mag(state.v[b]) + mag(state.omega[b])*s.fluidRadius());
-        const scalar inner = layer_*s.equivalentDiameter() + motion;
+        const scalar inner = innerOf(state, b);
         const scalar outer = 1.5*inner;
-        const scalar reach = s.fluidRadius() + outer;
+        const scalar reach = reachOf(state, b);
 
         // A body, or an image of it beyond a seam
         const auto markAround = [&](const vector& shift)

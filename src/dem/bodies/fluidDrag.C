@@ -135,6 +135,27 @@ bool Foam::dem::fluidDrag::meanRateNear
 }
 
 
+// * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
+
+void Foam::dem::fluidDrag::takeExpansion
+(
+    const fluidDrag& from,
+    const labelUList& source,
+    const UList<vector>& u
+)
+{
+    const bool expanded = from.near_.size();
+    startExpansion(expanded ? source.size() : 0, u);
+    forAll(near_, b)
+    {
+        near_[b] =
+            source[b] >= 0
+          ? from.near_[source[b]]
+          : local{1, -1, 0, 0, 0};
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::vector Foam::dem::fluidDrag::kick

@@ -102,6 +102,7 @@ void Foam::dem::packedBodies::rearrange
     const bool trial = was.old_.w.size();
     old_ = trial ? now_ : records();
     oldClumps_ = trial ? clumps_ : std::vector<clump>();
+    oldGiven_ = trial ? given_ : std::vector<vector>();
 
     const auto copy = [](const clump& from, clump& to)
     {
@@ -124,6 +125,14 @@ void Foam::dem::packedBodies::rearrange
         const label to = p < 0 ? -1 - p : clumps_[p].first;
         const label from = p < 0 ? -1 - q : was.clumps_[q].first;
         copyRecords(was.now_, from, n, now_, to);
+        if (!given_.empty())
+        {
+            given_[b] = was.given_[former];
+        }
+        if (trial && !given_.empty())
+        {
+            oldGiven_[b] = was.oldGiven_[former];
+        }
         if (trial)
         {
             copyRecords(was.old_, from, n, old_, to);

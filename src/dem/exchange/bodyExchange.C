@@ -58,7 +58,7 @@ void Foam::dem::bodyExchange::migrate
     const labelUList& to,
     DynamicList<namedPair>& pairs,
     DynamicList<namedTouch>& touches
-) const
+)
 {
     const label here = Pstream::myProcNo();
     List<DynamicList<namedPair>> pairsTo(Pstream::nProcs());
@@ -112,6 +112,7 @@ void Foam::dem::bodyExchange::migrate
         else
         {
             records[to[b]].append(own.record(b));
+            moved_[to[b]].append(own.id[b]);
         }
     }
     DynamicList<bodyRecord> come;
@@ -320,6 +321,7 @@ void Foam::dem::bodyExchange::shareOut
 {
     stopwatch watch(seconds_);
     const rankGroup group(true);
+    moved_ = List<DynamicList<label>>(Pstream::nProcs());
     const bool changed = group.any(changed_ || !list.valid());
     if (!changed && !owner_->strict())
     {
@@ -344,6 +346,7 @@ void Foam::dem::bodyExchange::shareOut
     findRadii(own);
 
     all_.reset(new bodies(own));
+    all_->drag = nullptr;
     own_ = identity(own.size());
     scalarList radius(own.size());
     forAll(radius, b)
@@ -410,6 +413,10 @@ void Foam::dem::bodyExchange::reachOut
 
     const labelList formerFirst(all_->firstSphere);
     const labelList source(arrange(toRanks));
+    if (drag_.acts())
+    {
+        drag_.move(own_, all_->size());
+    }
     const labelList newSphere(all_->sphereMap(formerFirst, source));
     list.renumber(newSphere);
     walls.renumber(newSphere);
@@ -439,24 +446,6 @@ void Foam::dem::bodyExchange::receive(packedBodies& packed)
 {
     stopwatch watch(seconds_);
     collect(packed);
-}
-
-
-void Foam::dem::bodyExchange::take(const bodies& own)
-{
-    forAll(own_, k)
-    {
-        all_->setState(own_[k], own.record(k));
-    }
-}
-
-
-void Foam::dem::bodyExchange::giveBack(bodies& own) const
-{
-    forAll(own_, k)
-    {
-        own.setState(k, all_->record(own_[k]));
-    }
 }
 
 

@@ -10,6 +10,7 @@ License
 
 #include "bodyExchange.H"
 #include "rankMail.H"
+#include "UIndirectList.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -91,6 +92,32 @@ void Foam::dem::bodyExchange::collect(packedBodies& packed)
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dem::bodyExchange::take(const bodies& own)
+{
+    forAll(own_, k)
+    {
+        all_->setState(own_[k], own.record(k));
+    }
+    drag_.set(own.drag, own_, all_->size());
+    all_->drag = drag_.acts() ? &drag_ : nullptr;
+    all_->recordDrag = own.recordDrag;
+}
+
+
+void Foam::dem::bodyExchange::giveBack(bodies& own) const
+{
+    forAll(own_, k)
+    {
+        own.setState(k, all_->record(own_[k]));
+    }
+    own.dragGiven = UIndirectList<vector>
+    (
+        all_->dragGiven,
+        all_->dragGiven.size() ? own_ : labelList()
+    );
+}
+
 
 void Foam::dem::bodyExchange::copy(labelUList& ofAll) const
 {

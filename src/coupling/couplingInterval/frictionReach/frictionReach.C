@@ -28,15 +28,20 @@ Foam::scalar Foam::coupling::frictionReach::timeOfCell
             thickness = mesh_.bounds().span()[d];
         }
     }
+    present_.find
+    (
+        [&](const label b) { return state.shapeOf(b).boundingRadius(); }
+    );
+    const dem::bodies& here = present_();
     scalar V = GREAT;
-    forAll(state.x, b)
+    forAll(here.x, b)
     {
         if (kinds_.resolved(b))
         {
             bins_.forEach
             (
-                state.x[b],
-                state.shapeOf(b).boundingRadius(),
+                here.x[b],
+                here.shapeOf(b).boundingRadius(),
                 [&](const label c)
                 {
                     V = min(V, mesh_.V()[c]);
@@ -61,7 +66,7 @@ Foam::coupling::frictionReach::frictionReach
     const bodyKinds& kinds,
     const scalar nu,
     const label nCorrectors,
-    const bool moves
+    const dem::demSolver& dem
 )
 :
     mesh_(mesh),
@@ -69,7 +74,8 @@ Foam::coupling::frictionReach::frictionReach
     kinds_(kinds),
     nu_(nu),
     nCorrectors_(nCorrectors),
-    moves_(moves)
+    moves_(dem.moves()),
+    present_(mesh, dem)
 {}
 
 
@@ -79,20 +85,20 @@ Foam::autoPtr<Foam::coupling::frictionReach> Foam::coupling::frictionReach::New
     const cellBins& bins,
     const bodyKinds& kinds,
     const scalar nu,
-    const bool moves
+    const dem::demSolver& dem
 )
 {
     const label n = correctorsOf(mesh);
     const label nOuter =
         mesh.solutionDict().subOrEmptyDict("PIMPLE")
        .getOrDefault<label>("nOuterCorrectors", 1);
-    if (!(nu > 0) || nOuter > 1 || n < 1 || largest(n, moves) >= GREAT)
+    if (!(nu > 0) || nOuter > 1 || n < 1 || largest(n, dem.moves()) >= GREAT)
     {
         return nullptr;
     }
     return autoPtr<frictionReach>
     (
-        new frictionReach(mesh, bins, kinds, nu, n, moves)
+        new frictionReach(mesh, bins, kinds, nu, n, dem)
     );
 }
 

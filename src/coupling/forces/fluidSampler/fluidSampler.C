@@ -231,10 +231,12 @@ void Foam::coupling::fluidSampler::sampleCells(const UList<point>& points)
 }
 
 
-void Foam::coupling::fluidSampler::findOwn(const labelUList& cellOf)
+void Foam::coupling::fluidSampler::findOwn
+(
+    const labelUList& cellOf,
+    const bool hosted
+)
 {
-    // On faces between ranks the cell with the largest claim has a point
-    List<scalar> own;
     if (!Pstream::parRun() && !cellOf.found(-1))
     {
         if (mine_.size() != cellOf.size())
@@ -244,19 +246,22 @@ void Foam::coupling::fluidSampler::findOwn(const labelUList& cellOf)
         cells_ = cellOf;
         return;
     }
-    if (Pstream::parRun())
+
+    // On faces between ranks the cell with the largest claim has a point;
+    // hosts have seen to it
+    List<scalar> own(Pstream::parRun() && !hosted ? cellOf.size() : 0, -GREAT);
+    forAll(own, b)
     {
-        own.setSize(cellOf.size(), -GREAT);
-        forAll(cellOf, b)
+        if (cellOf[b] >= 0)
         {
-            if (cellOf[b] >= 0)
-            {
-                own[b] = cellBins::claim(mesh_.cellCentres()[cellOf[b]]);
-            }
+            own[b] = cellBins::claim(mesh_.cellCentres()[cellOf[b]]);
         }
     }
     List<scalar> claim(own);
-    dem::maxOverRanks(claim);
+    if (own.size())
+    {
+        dem::maxOverRanks(claim);
+    }
 
     mine_.clear();
     cells_.clear();
@@ -449,10 +454,11 @@ void Foam::coupling::fluidSampler::sample
     const UList<point>& points,
     const labelUList& cellOf,
     const volVectorField& U,
-    const volScalarField* voidFraction
+    const volScalarField* voidFraction,
+    const pointHosts* hosts
 )
 {
-    findOwn(cellOf);
+    findOwn(cellOf, hosts);
     clear(points.size(), Pstream::parRun() || mine_.size() < points.size());
 
     // Decomposition of cells and point values are made by all ranks
@@ -480,7 +486,15 @@ void Foam::coupling::fluidSampler::sample
     {
         sampleCells(points);
     }
-    if (Pstream::parRun())
+    if (hosts)
+    {
+        hosts->bringHome(fluid_);
+        if (needs_)
+        {
+            hosts->bringHome(derived_);
+        }
+    }
+    else if (Pstream::parRun())
     {
         share(fluid_);
         share(derived_);

@@ -9,6 +9,8 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "pointForces.H"
+#include "rankMail.H"
+#include "SubList.H"
 #include "volFields.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -37,8 +39,7 @@ Foam::coupling::pointForces::pointForces
     sumOfSpheres_(false),
     followsBody_(drag_.valid()),
     steps_(1),
-    equations_(averagedEquations::none),
-    warned_(false)
+    equations_(averagedEquations::none)
 {
     checkInput(forces);
     readDrag(forces);
@@ -114,6 +115,41 @@ void Foam::coupling::pointForces::noteExchange
     for (pointForce& f : forces_)
     {
         f.noteExchange(dem_.state().id[b], impulse);
+    }
+}
+
+
+void Foam::coupling::pointForces::moveMemory()
+{
+    const List<DynamicList<label>> moved(dem_.moved());
+    for (pointForce& f : forces_)
+    {
+        if (!f.remembers() || moved.empty())
+        {
+            continue;
+        }
+
+        // The id of a body, how many vectors it has, and these
+        List<DynamicList<vector>> out(moved.size());
+        forAll(moved, rank)
+        {
+            for (const label id : moved[rank])
+            {
+                DynamicList<vector> values;
+                f.save(id, values);
+                out[rank].append(vector(id, values.size(), 0));
+                out[rank].append(values);
+            }
+        }
+        for (const List<vector>& in : dem::swapRecords(out))
+        {
+            for (label k = 0; k < in.size();)
+            {
+                const label id(in[k].x()), n(in[k].y());
+                f.load(id, SubList<vector>(in, n, k + 1));
+                k += n + 1;
+            }
+        }
     }
 }
 

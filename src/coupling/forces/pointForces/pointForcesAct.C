@@ -95,21 +95,34 @@ Foam::coupling::pointForces::elementOf
 }
 
 
-void Foam::coupling::pointForces::sayRange
+void Foam::coupling::pointForces::noteRange
 (
     const label b,
     const element& e,
     const scalar Re
 )
 {
-    warned_ = true;
-    Info<< "    The law of drag " << drag_->type()
+    OStringStream os;
+    os  << "    The law of drag " << drag_->type()
         << " is used outside of its range, by body "
         << dem_.state().id[b] << " first: Re " << Re
         << ", void fraction " << e.voidFraction << ";" << nl
         << "    it was made for Re up to " << range_.Re
         << " and void fractions from " << range_.least << " to "
-        << range_.largest << ". It is used as it is." << endl;
+        << range_.largest << ". It is used as it is." << nl;
+    outside_ = os.str();
+}
+
+
+void Foam::coupling::pointForces::sayRange()
+{
+    // Once, whichever rank has the body
+    const dem::rankGroup& group = dem_.group();
+    if (!saidRange_ && drag_.valid() && group.any(outside_.size()))
+    {
+        saidRange_ = true;
+        Info<< group.first(outside_).c_str() << flush;
+    }
 }
 
 
@@ -124,13 +137,14 @@ inline void Foam::coupling::pointForces::noteRe
     largestRe_ = max(largestRe_, Re);
     if
     (
-        !warned_
+        !saidRange_
+     && outside_.empty()
      && drag_.valid()
      && e.stokes > 0
      && !range_.hold(Re, e.voidFraction)
     )
     {
-        sayRange(b, e, Re);
+        noteRange(b, e, Re);
     }
 }
 

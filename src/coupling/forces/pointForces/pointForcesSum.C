@@ -21,7 +21,8 @@ void Foam::coupling::pointForces::findElements()
     const labelList& centres = cells_.find(state);
     first_.setSize(state.size() + 1);
     first_[0] = 0;
-    if (!sumOfSpheres_)
+    const bool shared = dem_.group().shared();
+    if (!sumOfSpheres_ && !shared)
     {
         // Where the bodies are, which need not be copied
         forAll(state.x, b)
@@ -37,7 +38,7 @@ void Foam::coupling::pointForces::findElements()
     cellOf_ = centres;
     forAll(state.x, b)
     {
-        const label n = state.shapeOf(b).radii().size();
+        const label n = sumOfSpheres_ ? state.shapeOf(b).radii().size() : 1;
         if (n > 1)
         {
             for (label s = state.firstSphere[b]; s < state.firstSphere[b + 1];)
@@ -47,6 +48,10 @@ void Foam::coupling::pointForces::findElements()
             }
         }
         first_[b + 1] = first_[b] + n;
+    }
+    if (shared)
+    {
+        hosts_.find(mesh_, bins_, false, points_, cellOf_);
     }
     at_.shallowCopy(points_);
     cellAt_.shallowCopy(cellOf_);
@@ -185,7 +190,8 @@ void Foam::coupling::pointForces::sample
     times_.start();
     findElements();
     times_.lap("locating");
-    sampler_->sample(at_, cellAt_, U, alpha);
+    const bool shared = dem_.group().shared();
+    sampler_->sample(at_, cellAt_, U, alpha, shared ? &hosts_ : nullptr);
     leaveOutResolved();
     times_.lap("sampling of the fluid");
 
@@ -244,6 +250,7 @@ void Foam::coupling::pointForces::sample
         }
     }
     state.drag = followsBody_ ? this : nullptr;
+    sayRange();
 }
 
 

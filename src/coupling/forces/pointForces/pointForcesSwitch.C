@@ -70,7 +70,8 @@ void Foam::coupling::pointForces::setForce
 void Foam::coupling::pointForces::setDrag(const dictionary& forces)
 {
     drag_ = dragLaw::New(forces);
-    warned_ = false;
+    outside_.clear();
+    saidRange_ = false;
     findNeeds();
 }
 

@@ -9,7 +9,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "immersedMethod.H"
-#include "rankSum.H"
 #include "readAhead.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -81,7 +80,7 @@ void Foam::coupling::immersedMethod::addNeighbours
     const scalar reach
 )
 {
-    const dem::bodies& state = dem_.state();
+    const dem::bodies& state = present_();
     const bodyGeometry body(state, b, solved_, shift);
     const point centre = state.x[b] + shift;
 
@@ -132,7 +131,7 @@ void Foam::coupling::immersedMethod::addNeighbours
 
 void Foam::coupling::immersedMethod::findFriction()
 {
-    const dem::bodies& state = dem_.state();
+    const dem::bodies& state = present_();
 
     // A cell beside one whose centre is inside is no farther from it than
     // that one reaches, on whichever rank it is
@@ -147,7 +146,7 @@ void Foam::coupling::immersedMethod::findFriction()
             }
         }
     }
-    dem::maxOverRanks(reach);
+    present_.max(reach);
 
     links_.clear();
     found_.setSize(mesh_.nCells());
@@ -230,7 +229,7 @@ void Foam::coupling::immersedMethod::setCut
     }
 
     // The mixture: tight across the surface, free along it
-    const imposedMotion& old = imposed0_[dem_.state().id[b]];
+    const imposedMotion& old = imposed0_[present_().id[b]];
     const vector& Un = flow.U.oldTime()[bc.cell];
     const vector dUb = Ub - old.at(bc.r);
     const auto across = [&](const vector& along)

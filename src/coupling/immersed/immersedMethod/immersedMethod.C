@@ -11,7 +11,7 @@ License
 #include "immersedMethod.H"
 #include "allowedKeys.H"
 #include "checkedEntry.H"
-#include "rankSum.H"
+#include "SubList.H"
 #include "readAhead.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -34,7 +34,7 @@ void Foam::coupling::immersedMethod::addCells
     const vector& shift
 )
 {
-    const dem::bodies& state = dem_.state();
+    const dem::bodies& state = present_();
     const bodyGeometry body(state, b, solved_, shift);
     const point centre = state.x[b] + shift;
     DynamicList<bodyCell>& cells = cells_[b];
@@ -74,7 +74,7 @@ void Foam::coupling::immersedMethod::addCells
 
 void Foam::coupling::immersedMethod::findCells(const label b)
 {
-    const dem::bodies& state = dem_.state();
+    const dem::bodies& state = present_();
 
     cells_[b].clear();
     addCells(b, Zero);
@@ -129,6 +129,7 @@ Foam::coupling::immersedMethod::immersedMethod
     // Cells that are long in an empty direction are cut deeper; bodies do not
     // move there, so it is done once
     fraction_(mesh_, mesh_.nSolutionD() < 3 ? 5 : 1),
+    present_(mesh_, dem_),
     sides_(mesh_),
     open_(false),
     volumeError_(0),
@@ -207,7 +208,8 @@ Foam::wordList Foam::coupling::immersedMethod::commonKeys(const wordList& more)
 
 void Foam::coupling::immersedMethod::project(const volVectorField& U)
 {
-    const dem::bodies& state = dem_.state();
+    findPresent();
+    const dem::bodies& state = present_();
     const label n = state.size();
 
     cells_.setSize(n);
@@ -234,7 +236,7 @@ void Foam::coupling::immersedMethod::project(const volVectorField& U)
 
     findFriction();
 
-    dem::sumOverRanks(volume);
+    present_.sum(volume);
     volumeError_ = 0;
     if (solved_ == vector::one)
     {
@@ -246,6 +248,7 @@ void Foam::coupling::immersedMethod::project(const volVectorField& U)
                 volumeError_ = max(volumeError_, mag(volume[b]/exact - 1));
             }
         }
+        volumeError_ = dem_.group().max(volumeError_);
     }
 
     startImposed(U);
@@ -276,7 +279,7 @@ void Foam::coupling::immersedMethod::findViscosity(const faceViscosity& nu)
             }
         }
     }
-    dem::maxOverRanks(viscosity_);
+    present_.max(viscosity_);
 }
 
 
@@ -338,10 +341,8 @@ void Foam::coupling::immersedMethod::addTo(fvMatrix<vector>& eqn)
 
 void Foam::coupling::immersedMethod::sumForces(const volVectorField& U)
 {
-    const dem::bodies& state = dem_.state();
-
-    force_.setSize(state.size());
-    torque_.setSize(state.size());
+    force_.setSize(cells_.size());
+    torque_.setSize(cells_.size());
 
     forAll(cells_, b)
     {
@@ -359,19 +360,18 @@ void Foam::coupling::immersedMethod::sumForces(const volVectorField& U)
         torque_[b] = T;
     }
 
-    dem::sumOverRanks(force_);
-    dem::sumOverRanks(torque_);
+    present_.sum(force_);
+    present_.sum(torque_);
     answered(U);
 }
 
 
 void Foam::coupling::immersedMethod::sumFriction(const volVectorField& U)
 {
-    const dem::bodies& state = dem_.state();
     const faceViscosity nu(mesh_);
 
-    friction_.setSize(state.size());
-    frictionTorque_.setSize(state.size());
+    friction_.setSize(cells_.size());
+    frictionTorque_.setSize(cells_.size());
     forAll(cells_, b)
     {
         vector F(Zero);
@@ -394,8 +394,8 @@ void Foam::coupling::immersedMethod::sumFriction(const volVectorField& U)
         frictionTorque_[b] = T;
     }
 
-    dem::sumOverRanks(friction_);
-    dem::sumOverRanks(frictionTorque_);
+    present_.sum(friction_);
+    present_.sum(frictionTorque_);
 }
 
 
@@ -417,7 +417,8 @@ Foam::vector Foam::coupling::immersedMethod::forceOnFluid
 
 Foam::vector Foam::coupling::immersedMethod::forceOnBodies() const
 {
-    return sum(force_);
+    const label n = min(force_.size(), dem_.state().size());
+    return dem_.group().sum(sum(SubList<vector>(force_, n)));
 }
 
 

@@ -24,59 +24,6 @@ const Foam::scalar atWall = 1.606;
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::coupling::immersedMethod::startImposed(const volVectorField& U)
-{
-    const dem::bodies& state = dem_.state();
-
-    List<vector> momentum(state.size(), vector(Zero));
-    List<scalar> volume(state.size(), scalar(0));
-    bool anyNew = false;
-    starts_.setSize(state.size());
-    starts_ = false;
-
-    forAll(cells_, b)
-    {
-        if (imposed0_.found(state.id[b]) || !kinds_.resolved(b))
-        {
-            continue;
-        }
-        anyNew = true;
-        starts_[b] = true;
-        for (const bodyCell& bc : cells_[b])
-        {
-            const scalar V = bc.beta*mesh_.V()[bc.cell];
-            volume[b] += V;
-            momentum[b] += V*U[bc.cell];
-        }
-    }
-
-    if (!anyNew)
-    {
-        return;
-    }
-
-    // The fluid that a body finds where it enters has its own momentum, and
-    // that is not the body's to pay for
-    dem::sumOverRanks(momentum);
-    dem::sumOverRanks(volume);
-    forAll(cells_, b)
-    {
-        if (!imposed0_.found(state.id[b]) && kinds_.resolved(b))
-        {
-            imposed0_.insert
-            (
-                state.id[b],
-                imposedMotion
-                {
-                    momentum[b]/max(volume[b], VSMALL),
-                    Zero
-                }
-            );
-        }
-    }
-}
-
-
 void Foam::coupling::immersedMethod::findDisplaced()
 {
     const dem::bodies& state = dem_.state();
@@ -354,7 +301,7 @@ void Foam::coupling::immersedMethod::correctMotion()
     contactTorque_.setSize(state.size());
 
     slip_ = 0;
-    forAll(cells_, b)
+    forAll(state.x, b)
     {
         if (kinds_.resolved(b))
         {
@@ -362,6 +309,7 @@ void Foam::coupling::immersedMethod::correctMotion()
             slip_ = max(slip_, mag(state.v[b] - imposed_[b].v));
         }
     }
+    slip_ = dem_.group().max(slip_);
 }
 
 
@@ -420,67 +368,6 @@ Foam::vector Foam::coupling::immersedMethod::fluidTorque(const label b) const
     return
         (dem_.state().L[b] - L0_[b])/mesh_.time().deltaTValue()
       - contactTorque_[b];
-}
-
-
-Foam::coupling::carriedMotion
-Foam::coupling::immersedMethod::carriedOf(const label b) const
-{
-    const dem::bodies& state = dem_.state();
-    carriedMotion c{{state.v[b], state.omega[b]}, Zero, Zero};
-    c.force = state.drag == &along_ ? held_[b] : state.fluidForce[b];
-    c.torque = state.fluidTorque[b];
-
-    if (open_)
-    {
-        c.imposed = imposed_[b];
-        if (newForce_.size() && kinds_.resolved(b))
-        {
-            c.force = newForce_[b];
-            c.torque = newTorque_[b];
-        }
-    }
-    else if (imposed0_.found(state.id[b]))
-    {
-        c.imposed = imposed0_[state.id[b]];
-    }
-    return c;
-}
-
-
-void Foam::coupling::immersedMethod::setCarried
-(
-    const label b,
-    const carriedMotion& c
-)
-{
-    dem::bodies& state = dem_.state();
-    if (kinds_.resolved(b))
-    {
-        imposed0_.set(state.id[b], c.imposed);
-    }
-    state.fluidForce[b] = c.force;
-    state.fluidTorque[b] = c.torque;
-}
-
-
-void Foam::coupling::immersedMethod::finish()
-{
-    if (!open_)
-    {
-        return;
-    }
-
-    // Only of the bodies that are still there
-    imposed0_.clear();
-    forAll(cells_, b)
-    {
-        if (kinds_.resolved(b))
-        {
-            setCarried(b, carriedOf(b));
-        }
-    }
-    open_ = false;
 }
 
 

@@ -10,10 +10,11 @@ License
 
 #include "ballCells.H"
 #include "rankSum.H"
+#include "SubList.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-const Foam::labelList& Foam::coupling::ballCells::cells
+const Foam::labelList& Foam::coupling::ballCells::look
 (
     const dem::bodies& state
 )
@@ -34,6 +35,17 @@ const Foam::labelList& Foam::coupling::ballCells::cells
               : bins_.find(state.sphereX[s], last_[s]);
         }
     }
+    return last_;
+}
+
+
+const Foam::labelList& Foam::coupling::ballCells::cells
+(
+    const dem::bodies& state
+)
+{
+    const label n = state.nSpheres();
+    look(state);
     if (!Pstream::parRun() && !last_.found(-1))
     {
         return last_;
@@ -139,18 +151,76 @@ bool Foam::coupling::ballCells::findWhole
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::coupling::ballCells::find
+void Foam::coupling::ballCells::findShared
 (
     const dem::bodies& state,
     const bodyKinds& kinds,
     List<cellBall>& balls
 )
 {
+    const label n = state.nSpheres();
+    bodyOfAll_ = state.sphereBody;
+    shareOfAll_.setSize(n);
+    forAll(state.x, b)
+    {
+        const label first = state.firstSphere[b];
+        const label last = state.firstSphere[b + 1];
+        scalar all = 0;
+        for (label s = first; s < last; ++s)
+        {
+            all += pow3(state.sphereR[s]);
+        }
+        for (label s = first; s < last; ++s)
+        {
+            shareOfAll_[s] =
+                kinds.resolved(b) ? 0 : pow3(state.sphereR[s])/all;
+        }
+    }
+
+    DynamicList<point> points(state.sphereX);
+    DynamicList<label> cell(look(state));
+    hosts_.find(mesh_, bins_, true, points, cell);
+    const List<scalar> guests(hosts_.send(state.sphereR));
+
+    body_.clear();
+    share_.clear();
+    DynamicList<cellBall> found(points.size());
+    for (label s = 0; s < n; ++s)
+    {
+        if (cell[s] >= 0)
+        {
+            body_.append(bodyOfAll_[s]);
+            share_.append(shareOfAll_[s]);
+            found.append({cell[s], points[s], state.sphereR[s]});
+        }
+    }
+    forAll(guests, k)
+    {
+        found.append({cell[n + k], points[n + k], guests[k]});
+    }
+    balls.transfer(found);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::coupling::ballCells::find
+(
+    const dem::bodies& state,
+    const bodyKinds& kinds,
+    const bool shared,
+    List<cellBall>& balls
+)
+{
+    shared_ = shared;
     whole_ = findWhole(state, kinds, balls);
     if (whole_)
     {
+        return;
+    }
+    if (shared_)
+    {
+        findShared(state, kinds, balls);
         return;
     }
     const labelList& cell = cells(state);
@@ -207,7 +277,22 @@ void Foam::coupling::ballCells::average
     {
         ofBody[body_[i]] += share_[i]*q[i];
     }
-    dem::sumOverRanks(ofBody);
+    if (shared_)
+    {
+        const label n = body_.size();
+        hosts_.bring
+        (
+            SubList<vector>(q, q.size() - n, n),
+            [&](const label s, const vector& qs)
+            {
+                ofBody[bodyOfAll_[s]] += shareOfAll_[s]*qs;
+            }
+        );
+    }
+    else
+    {
+        dem::sumOverRanks(ofBody);
+    }
     q.transfer(ofBody);
 }
 

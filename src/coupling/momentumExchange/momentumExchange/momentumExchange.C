@@ -48,7 +48,7 @@ Foam::scalar fallen(const Foam::scalar z)
 void Foam::coupling::momentumExchange::place()
 {
     const dem::bodies& state = dem_.state();
-    ballCells_.find(state, kinds_, balls_);
+    ballCells_.find(state, kinds_, dem_.group().shared(), balls_);
     spread_->place(std::move(balls_));
 
     List<scalar> volume(state.size());
@@ -356,7 +356,7 @@ void Foam::coupling::momentumExchange::addTo(fvMatrix<vector>& eqn) const
 void Foam::coupling::momentumExchange::finish(const volVectorField& U)
 {
     toBodies_ = Zero;
-    if (J_.size() != dem_.state().size())
+    if (dem_.group().any(J_.size() != dem_.state().size()))
     {
         return;
     }
@@ -371,6 +371,7 @@ void Foam::coupling::momentumExchange::finish(const volVectorField& U)
             toBodies_ += impulse(b);
         }
     }
+    toBodies_ = dem_.group().sum(toBodies_);
     noteImpulses();
 }
 

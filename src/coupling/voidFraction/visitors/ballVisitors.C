@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "ballVisitors.H"
+#include "ListListOps.H"
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -26,11 +27,8 @@ void Foam::coupling::ballVisitors::find
     Pstream::gatherList(boxes);
     Pstream::scatterList(boxes);
 
-    const label nRanks = boxes.size();
-    List<DynamicList<label>> sent(nRanks);
-    List<List<point>> x(nRanks);
-    List<List<scalar>> r(nRanks);
-    List<DynamicList<point>> at(nRanks);
+    List<DynamicList<label>> toRanks(boxes.size());
+    List<DynamicList<point>> at(boxes.size());
     forAll(balls, i)
     {
         const cellBall& ball = balls[i];
@@ -42,7 +40,7 @@ void Foam::coupling::ballVisitors::find
                 const bool other = image || rank != Pstream::myProcNo();
                 if (other && boxes[rank].overlaps(p, sqr(far)))
                 {
-                    sent[rank].append(i);
+                    toRanks[rank].append(i);
                     at[rank].append(p);
                 }
             }
@@ -59,28 +57,18 @@ void Foam::coupling::ballVisitors::find
         );
     }
 
-    sent_.setSize(nRanks);
-    x_.setSize(nRanks);
-    r_.setSize(nRanks);
-    List<List<point>> inX(nRanks);
-    List<List<scalar>> inR(nRanks);
-    forAll(sent, rank)
+    set(toRanks);
+    x_ = ListListOps::combine<List<point>>
+    (
+        dem::swapRecords(at),
+        accessOp<List<point>>()
+    );
+    List<scalar> r(balls.size());
+    forAll(r, i)
     {
-        sent_[rank] = sent[rank];
-        x[rank] = at[rank];
-        r[rank].setSize(sent[rank].size());
-        forAll(r[rank], k)
-        {
-            r[rank][k] = balls[sent[rank][k]].r;
-        }
+        r[i] = balls[i].r;
     }
-    swap(x, inX);
-    swap(r, inR);
-    forAll(x_, rank)
-    {
-        x_[rank] = inX[rank];
-        r_[rank] = inR[rank];
-    }
+    r_ = send(r);
 }
 
 
@@ -88,13 +76,9 @@ Foam::List<Foam::coupling::cellBall>
 Foam::coupling::ballVisitors::visitors() const
 {
     List<cellBall> all(size());
-    label n = 0;
-    forAll(x_, rank)
+    forAll(all, n)
     {
-        forAll(x_[rank], k)
-        {
-            all[n++] = {-1, x_[rank][k], r_[rank][k]};
-        }
+        all[n] = {-1, x_[n], r_[n]};
     }
     return all;
 }

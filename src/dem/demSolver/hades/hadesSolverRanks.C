@@ -203,4 +203,11 @@ void Foam::dem::hadesSolver::shareOut()
 }
 
 
+Foam::List<Foam::DynamicList<Foam::label>>
+Foam::dem::hadesSolver::moved() const
+{
+    return exchange_.valid() ? exchange_->moved() : demSolver::moved();
+}
+
+
 // ************************************************************************* //
