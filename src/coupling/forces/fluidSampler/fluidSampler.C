@@ -258,15 +258,10 @@ void Foam::coupling::fluidSampler::findOwn
         }
     }
     List<scalar> claim(own);
-    if (own.size())
-    {
-        dem::maxOverRanks(claim);
-    }
+    dem::maxOverRanks(claim);
 
     mine_.clear();
     cells_.clear();
-    mine_.reserve(cellOf.size());
-    cells_.reserve(cellOf.size());
     forAll(cellOf, b)
     {
         if (cellOf[b] >= 0 && (own.empty() || own[b] == claim[b]))
