@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "presentBodies.H"
+#include "ranksOf.H"
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -22,11 +23,7 @@ void Foam::coupling::presentBodies::find
         return;
     }
     const dem::bodies& state = dem_.state();
-    List<boundBox> boxes(Pstream::nProcs());
-    boxes[Pstream::myProcNo()] = boundBox(mesh_.points(), false);
-    Pstream::gatherList(boxes);
-    Pstream::scatterList(boxes);
-
+    const List<boundBox> boxes(rankBoxes(mesh_));
     List<DynamicList<label>> toRanks(boxes.size());
     List<DynamicList<dem::bodyRecord>> records(boxes.size());
     forAll(state.x, b)

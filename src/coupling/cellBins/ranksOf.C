@@ -65,6 +65,16 @@ void ask
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
+Foam::List<Foam::boundBox> Foam::coupling::rankBoxes(const polyMesh& mesh)
+{
+    List<boundBox> boxes(Pstream::nProcs());
+    boxes[Pstream::myProcNo()] = boundBox(mesh.points(), false);
+    Pstream::gatherList(boxes);
+    Pstream::scatterList(boxes);
+    return boxes;
+}
+
+
 Foam::labelList Foam::coupling::cellsOf
 (
     const cellBins& bins,
@@ -89,10 +99,7 @@ Foam::labelList Foam::coupling::ranksOf
 )
 {
     const label me = Pstream::myProcNo();
-    List<boundBox> boxes(Pstream::nProcs());
-    boxes[me] = boundBox(mesh.points(), false);
-    Pstream::gatherList(boxes);
-    Pstream::scatterList(boxes);
+    List<boundBox> boxes(rankBoxes(mesh));
 
     // A point on the side of a box is in it
     for (boundBox& box : boxes)

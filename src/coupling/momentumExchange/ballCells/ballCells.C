@@ -151,16 +151,13 @@ bool Foam::coupling::ballCells::findWhole
 }
 
 
-void Foam::coupling::ballCells::findShared
+void Foam::coupling::ballCells::findShares
 (
     const dem::bodies& state,
-    const bodyKinds& kinds,
-    List<cellBall>& balls
+    const bodyKinds& kinds
 )
 {
-    const label n = state.nSpheres();
-    bodyOfAll_ = state.sphereBody;
-    shareOfAll_.setSize(n);
+    shareOfAll_.setSize(state.nSpheres());
     forAll(state.x, b)
     {
         const label first = state.firstSphere[b];
@@ -176,6 +173,19 @@ void Foam::coupling::ballCells::findShared
                 kinds.resolved(b) ? 0 : pow3(state.sphereR[s])/all;
         }
     }
+}
+
+
+void Foam::coupling::ballCells::findShared
+(
+    const dem::bodies& state,
+    const bodyKinds& kinds,
+    List<cellBall>& balls
+)
+{
+    const label n = state.nSpheres();
+    bodyOfAll_ = state.sphereBody;
+    findShares(state, kinds);
 
     DynamicList<point> points(state.sphereX);
     DynamicList<label> cell(look(state));
@@ -224,41 +234,20 @@ void Foam::coupling::ballCells::find
         return;
     }
     const labelList& cell = cells(state);
-    const auto isPoint = [&](const label s)
-    {
-        return cell[s] >= 0 && !kinds.resolved(state.sphereBody[s]);
-    };
-
-    label n = 0;
+    findShares(state, kinds);
+    body_.clear();
+    share_.clear();
+    DynamicList<cellBall> found(state.nSpheres());
     forAll(cell, s)
     {
-        n += isPoint(s);
-    }
-    body_.setSize(n);
-    share_.setSize(n);
-    balls.setSize(n);
-
-    n = 0;
-    forAll(state.x, b)
-    {
-        const label first = state.firstSphere[b];
-        const label last = state.firstSphere[b + 1];
-        scalar all = 0;
-        for (label s = first; s < last; ++s)
+        if (cell[s] >= 0 && shareOfAll_[s] > 0)
         {
-            all += pow3(state.sphereR[s]);
-        }
-        for (label s = first; s < last; ++s)
-        {
-            if (isPoint(s))
-            {
-                body_[n] = b;
-                share_[n] = pow3(state.sphereR[s])/all;
-                balls[n] = {cell[s], state.sphereX[s], state.sphereR[s]};
-                ++n;
-            }
+            body_.append(state.sphereBody[s]);
+            share_.append(shareOfAll_[s]);
+            found.append({cell[s], state.sphereX[s], state.sphereR[s]});
         }
     }
+    balls.transfer(found);
 }
 
 

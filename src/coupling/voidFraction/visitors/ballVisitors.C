@@ -10,6 +10,7 @@ License
 
 #include "ballVisitors.H"
 #include "ListListOps.H"
+#include "ranksOf.H"
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -21,12 +22,7 @@ void Foam::coupling::ballVisitors::find
     const std::function<scalar(const cellBall&)>& reach
 )
 {
-    // The points of each rank's mesh are in a box
-    List<boundBox> boxes(Pstream::nProcs());
-    boxes[Pstream::myProcNo()] = boundBox(mesh.points(), false);
-    Pstream::gatherList(boxes);
-    Pstream::scatterList(boxes);
-
+    const List<boundBox> boxes(rankBoxes(mesh));
     List<DynamicList<label>> toRanks(boxes.size());
     List<DynamicList<point>> at(boxes.size());
     forAll(balls, i)
