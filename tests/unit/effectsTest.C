@@ -238,6 +238,48 @@ TEST(effects, shares)
 }
 
 
+TEST(effects, turbulence)
+{
+    // A grain that falls through long eddies, at its terminal velocity
+    sceneNumbers n(falling(1e-4, 2500, 1.2, 1.5e-5, 0));
+    n.turbulent = true;
+    figure
+    (
+        "effects_noTurbulence", valueOf("dispersion", n), 0, 0, "-",
+        "a field of nothing"
+    );
+    n.k = 1.5*sqr(0.1);
+    n.epsilon = n.k/100;
+    const scalar T = 15/std::sqrt(1 + sqr(n.slip/0.1));
+    const scalar v = 0.1*std::sqrt(T/(T + n.relaxationTime()));
+    figureNear
+    (
+        "effects_dispersion", valueOf("dispersion", n),
+        v/std::hypot(v, n.slip), 1e-9, "-", "Tchen, Csanady"
+    );
+
+    // Dust that follows is carried by nothing else
+    n.slip = 1e-6;
+    n.g = 0;
+    figureNear
+    (
+        "effects_dispersionDust", valueOf("dispersion", n), 1, 1e-3, "-",
+        "no slip"
+    );
+
+    // A ball of 10 mm does not feel eddies of 10 ms
+    sceneNumbers ball(falling(0.01, 2500, 1.2, 1.5e-5, 0));
+    ball.turbulent = true;
+    ball.k = 1.5*sqr(0.1);
+    ball.epsilon = ball.k/0.01;
+    figure
+    (
+        "effects_dispersionBall", valueOf("dispersion", ball), 0, 0.2*target,
+        "-", "far below the target"
+    );
+}
+
+
 TEST(effects, survey)
 {
     // Three balls of 10 mm in one block of 0.1 m, and one far away

@@ -174,10 +174,10 @@ void Foam::demCloud::samplePoints()
     }
     if (effectWatch_.valid())
     {
-        points_->watch
-        (
-            effectWatch_->due() ? coupling::fluidAtPoint::vorticity : 0
-        );
+        typedef coupling::fluidAtPoint at;
+        const bool stirs = effectWatch_->watches("dispersion");
+        const unsigned also = stirs ? at::turbulence : 0;
+        points_->watch(effectWatch_->due() ? at::vorticity | also : 0);
     }
 
     points_->sample
@@ -427,6 +427,12 @@ void Foam::demCloud::endStep()
     if (interval_.valid() && interval_->shows())
     {
         ledger_.limitFluid(deltaTBound());
+    }
+    else if (coupling_ != "none")
+    {
+        const bool adjusts =
+            mesh_.time().controlDict().getOrDefault("adjustTimeStep", false);
+        ledger_.limitFluid(adjusts ? "maxCo" : "deltaT");
     }
     if (watchdog_.valid() && exchange_.active)
     {

@@ -77,6 +77,16 @@ void resumeEarly(Foam::dictionary& properties, const Foam::fvMesh& mesh)
 }
 
 
+//- Does a field have the fluid's density? A film knows one liquid only
+bool densityIsField(const Foam::dictionary& properties)
+{
+    const Foam::dictionary& fluid = properties.subOrEmptyDict("fluid");
+    return
+        fluid.found("rho") && fluid.lookup("rho").size()
+     && fluid.lookup("rho")[0].isWord();
+}
+
+
 //- Say that a film is called for which nobody knows the roughness for
 void adviseFilm
 (
@@ -96,6 +106,25 @@ void adviseFilm
             << "    Advice: lubrication is called for, and is left out, as the"
             << " roughness of the surfaces decides what it does: effects {"
             << " type auto; roughness 1e-6; }" << Foam::nl;
+    }
+}
+
+
+//- Say that the mesh is not refined around bodies where it would save cells
+void adviseMesh(const Foam::effectTable& table)
+{
+    bool refines = false;
+    for (const Foam::sceneNumbers& n : table.kinds())
+    {
+        refines = refines || n.refines;
+    }
+    if (table.on("refinement") && table.on("immersed") && !refines)
+    {
+        Foam::Info
+            << "    Advice: refinement is called for, as "
+            << 100*table.share("refinement") << " % of the domain is far from"
+            << " bodies; the mesh is the solver's: constant/dynamicMeshDict"
+            << " with dynamicFvMesh dynamicRefineFvMesh." << Foam::nl;
     }
 }
 
@@ -197,6 +226,7 @@ void Foam::demCloud::chooseEffects
     if (inFluid)
     {
         adviseFilm(dict_, table);
+        adviseMesh(table);
         chosen_.merge
         (
             effectChoice::chooseCoupling
@@ -241,6 +271,14 @@ Foam::wordList Foam::demCloud::freeEffects(const fluidAccess access) const
         names.append("exchange");
     }
     names.append("contacts");
+    if
+    (
+        !forces.found("lubrication") && !forces.found("coarseGraining")
+     && !dict_.subOrEmptyDict("immersed").found("lubrication")
+    )
+    {
+        names.append("lubrication");
+    }
     return wordList(std::move(names));
 }
 
@@ -262,7 +300,16 @@ void Foam::demCloud::startWatch
     for (const word& name : names)
     {
         // Where there are both, the fluid feels all, and they may meet
-        const bool stays = both && (name == "contacts" || name == "exchange");
+        const bool stays =
+            (
+                both
+             && (
+                    name == "contacts" || name == "exchange"
+                 || name == "lubrication"
+                )
+            )
+         || (name == "dispersion" && !sceneFluid::turbulent(mesh_))
+         || (name == "lubrication" && densityIsField(dict_));
         if ((points || name == "contacts") && !stays)
         {
             effectWatch_->add(name, table && table->on(name));

@@ -15,6 +15,35 @@ License
 
 #include <cmath>
 
+// * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- A body that meets another, at the larger one of its slip and that of its
+//  fall: one that rests may be hit. The last one, whose fall is known, is kept
+Foam::sceneNumbers impact
+(
+    const Foam::sceneNumbers& n,
+    Foam::sceneNumbers& last
+)
+{
+    const bool same =
+        n.d == last.d && n.rhoP == last.rhoP && n.rhoF == last.rhoF
+     && n.nu == last.nu;
+    if (!same)
+    {
+        last = n;
+        last.slip = n.terminalSlip();
+    }
+    Foam::sceneNumbers meets(n);
+    meets.slip = Foam::max(n.slip, last.slip);
+    return meets;
+}
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::HashTable<Foam::scalar> Foam::demCloud::pointShares
@@ -64,6 +93,8 @@ Foam::HashTable<Foam::scalar> Foam::demCloud::pointShares
       ? sceneSurvey::crowd(state, max(3*largest, meanCell_), solid)
       : n.meanFraction;
 
+    n.turbulent = watch.watches("dispersion");
+    sceneNumbers falls;
     const List<coupling::fluidAtPoint>& fluid = points_->sampled();
     const label stride = 1 + state.size()/1000;
     for (label b = 0; b < state.size(); b += stride)
@@ -80,12 +111,26 @@ Foam::HashTable<Foam::scalar> Foam::demCloud::pointShares
         n.slip = mag(f.u - state.v[b]);
         n.shear = mag(f.curlU);
         n.spin = mag(0.5*f.curlU - state.omega[b]);
+        n.k = f.k;
+        n.epsilon = f.epsilon;
         for (const effectLaw& law : effectLaws::all())
         {
+            const bool film = law.name == word("lubrication");
             const bool crowded =
-                law.name == word("contacts") || law.name == word("denseDrag");
+                film || law.name == word("contacts")
+             || law.name == word("denseDrag");
+
+            // What is not sampled, or takes long; without gravity nothing is
+            // known of how fast bodies meet that have no slip
             const bool curled =
-                law.name == word("saffman") && !thorough;
+                (
+                    !thorough
+                 && (
+                        film || law.name == word("saffman")
+                     || law.name == word("dispersion")
+                    )
+                )
+             || (film && !(n.g > 0));
             if
             (
                 watch.watches(law.name) && law.asked(n) && !curled
@@ -93,7 +138,11 @@ Foam::HashTable<Foam::scalar> Foam::demCloud::pointShares
             )
             {
                 scalar& share = shares(law.name, 0);
-                share = max(share, law.share(n, effects_.target));
+                share = max
+                (
+                    share,
+                    law.share(film ? impact(n, falls) : n, effects_.target)
+                );
             }
         }
     }
@@ -151,11 +200,28 @@ void Foam::demCloud::switchEffects(const HashTable<scalar>& shares)
     for (const word& name : effectWatch_->judge(shares))
     {
         const bool on = effectWatch_->on(name);
-        Info<< "demCloud: effect " << name << " switched "
-            << (on ? "on" : "off") << " at time " << mesh_.time().value()
+        // The lists of neighbours and the steps are made for a film or not
+        const bool said = name == "lubrication";
+        Info<< "demCloud: effect " << name
+            << (
+                   said
+                 ? (on ? " called for" : " no longer called for")
+                 : (on ? " switched on" : " switched off")
+               )
+            << " at time " << mesh_.time().value()
             << " s: its share is " << 100*effectWatch_->share(name)
             << " %, the target " << 100*effects_.target << " %" << endl;
-        switchEffect(name, on);
+        if (said && on)
+        {
+            Info<< "    Advice: a film cannot come in while bodies move. Give"
+                << " forces { lubrication { roughness 1e-6; } }, with that of"
+                << " the surfaces, and go on from a time that is written."
+                << endl;
+        }
+        if (!said)
+        {
+            switchEffect(name, on);
+        }
     }
 }
 

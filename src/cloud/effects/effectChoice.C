@@ -233,7 +233,7 @@ Foam::wordList Foam::effectChoice::forces()
     return
     {
         "buoyancy", "pressureGradient", "viscous", "virtualMass", "basset",
-        "saffman", "magnus", "rotationalDrag"
+        "saffman", "magnus", "rotationalDrag", "dispersion"
     };
 }
 

@@ -27,6 +27,11 @@ typedef const sceneNumbers& scene;
         return n.inFluid() && n.point();
     }
 
+    bool stirs(scene n)
+    {
+        return asPoint(n) && n.turbulent;
+    }
+
     bool asSolid(scene n)
     {
         return n.inFluid() && !n.point();
@@ -110,6 +115,12 @@ typedef const sceneNumbers& scene;
     {
         const scalar rim = 0.5*n.spin*n.d;
         return rim > 0 ? rim/std::hypot(rim, n.slip) : 0;
+    }
+
+    scalar eddies(scene n)
+    {
+        const scalar v = n.stirred();
+        return v > 0 ? v/std::hypot(v, n.slip)*n.dragShare() : 0;
     }
 
     scalar crowding(scene n)
@@ -230,6 +241,10 @@ const std::vector<effectLaw> laws
     {
         "rotationalDrag", "rim over slip velocity", turning, 0, asPoint,
         "thesis ch. 3", "a gradient of u an exchange"
+    },
+    {
+        "dispersion", "turbulence given over slip", eddies, 0, stirs,
+        "Tchen, Csanady 1963", "k, epsilon, 3 random numbers"
     },
     {
         "denseDrag", "crowding of drag", crowding, 0, asPoint,

@@ -148,6 +148,11 @@ void Foam::effectTable::writeNumbers(Ostream& os) const
                 << n.impactStokes() << ", relaxation time "
                 << n.relaxationTime() << " s, loading " << n.loading()
                 << ", Bagnold number " << n.Bagnold();
+            if (n.turbulent)
+            {
+                os  << ", turbulence of " << sqrt(2*n.k/3) << " m/s gives it "
+                    << n.stirred() << " m/s";
+            }
         }
         os  << "; void fraction " << 1 - n.fraction;
         if (n.cell > 0)

@@ -12,6 +12,8 @@ License
 #include "dimensionedScalar.H"
 #include "fvMesh.H"
 #include "IOdictionary.H"
+#include "localIOdictionary.H"
+#include "volFields.H"
 
 // * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
 
@@ -46,7 +48,99 @@ scalar numberIn
       : 0;
 }
 
+
+//- A dictionary of a time or of constant, empty if there is none
+template<class Type, class... Words>
+Type fileOf
+(
+    const fvMesh& mesh,
+    const word& name,
+    const fileName& instance,
+    const Words&... words
+)
+{
+    return Type
+    (
+        IOobject
+        (
+            name,
+            instance,
+            mesh,
+            IOobject::READ_IF_PRESENT,
+            IOobject::NO_WRITE,
+            false
+        ),
+        words...
+    );
+}
+
+
+//- The values in the cells of a field, of the solver or of its file; none if
+//  there is no such field
+scalarField cellValues(const fvMesh& mesh, const word& name)
+{
+    if (mesh.foundObject<volScalarField>(name))
+    {
+        return mesh.lookupObject<volScalarField>(name).primitiveField();
+    }
+    // The internal field alone: the patches may need a solver
+    const localIOdictionary file
+    (
+        fileOf<localIOdictionary>
+        (
+            mesh, name, mesh.time().timeName(), volScalarField::typeName
+        )
+    );
+    return
+        file.found("internalField")
+      ? scalarField("internalField", file, mesh.nCells())
+      : scalarField();
+}
+
 } // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::sceneFluid::readTurbulence(const fvMesh& mesh)
+{
+    const bool modelled =
+        turbulent(mesh)
+     || fileOf<IOdictionary>
+        (
+            mesh, "turbulenceProperties", mesh.time().constant()
+        ).getOrDefault<word>("simulationType", "laminar") != "laminar";
+    if (!modelled)
+    {
+        return;
+    }
+    k = cellValues(mesh, "k");
+    epsilon = cellValues(mesh, "epsilon");
+    const scalarField omega(cellValues(mesh, "omega"));
+    if (epsilon.empty() && omega.size() == k.size())
+    {
+        epsilon = 0.09*k*omega;
+    }
+    if (epsilon.size() != k.size())
+    {
+        // As in large eddies, whose smaller ones have no such time
+        k.clear();
+        epsilon.clear();
+    }
+}
+
+
+// * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
+
+bool Foam::sceneFluid::turbulent(const fvMesh& mesh)
+{
+    return
+        mesh.foundObject<volScalarField>("k")
+     && (
+            mesh.foundObject<volScalarField>("epsilon")
+         || mesh.foundObject<volScalarField>("omega")
+        );
+}
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -102,6 +196,7 @@ Foam::sceneFluid::sceneFluid
                 << exit(FatalIOError);
         }
     }
+    readTurbulence(mesh);
 }
 
 

@@ -95,6 +95,19 @@ Foam::scalar Foam::sceneNumbers::relaxationTime() const
 }
 
 
+Foam::scalar Foam::sceneNumbers::stirred() const
+{
+    if (!(k > 0) || !(epsilon > 0))
+    {
+        return 0;
+    }
+    // The time as the force dispersion has it with its default
+    const scalar sigma = sqrt(2*k/3);
+    const scalar T = 0.15*k/epsilon/sqrt(1 + sqr(slip/sigma));
+    return sigma*sqrt(T/(T + relaxationTime()));
+}
+
+
 Foam::scalar Foam::sceneNumbers::impactStokes() const
 {
     return inFluid() ? rhoP/rhoF*Re()/9 : GREAT;

@@ -33,6 +33,7 @@ void Foam::sceneSurvey::makeKinds()
         k.numbers.g = mag(dem_.g());
         k.numbers.rhoF = fluid_.rho;
         k.numbers.nu = fluid_.nu;
+        k.numbers.turbulent = returnReduce(fluid_.k.size(), sumOp<label>());
         k.numbers.cell = GREAT;
     }
 }
@@ -138,6 +139,13 @@ void Foam::sceneSurvey::share()
         reduce(k.numbers.cell, minOp<scalar>());
         reduce(k.numbers.shear, maxOp<scalar>());
         reduce(k.numbers.spin, maxOp<scalar>());
+        const scalar most = returnReduce(k.numbers.k, maxOp<scalar>());
+        k.numbers.epsilon = returnReduce
+        (
+            k.numbers.k < most ? scalar(0) : k.numbers.epsilon,
+            maxOp<scalar>()
+        );
+        k.numbers.k = most;
         reduce(k.slip, sumOp<scalar>());
         reduce(k.nSlips, sumOp<scalar>());
     }

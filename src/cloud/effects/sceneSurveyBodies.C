@@ -35,6 +35,16 @@ void Foam::sceneSurvey::lookAtBodies()
         );
     }
 
+    // Where it is strongest
+    const auto stir = [&](sceneNumbers& n, const label c)
+    {
+        if (fluid_.k[c] > n.k)
+        {
+            n.k = fluid_.k[c];
+            n.epsilon = fluid_.epsilon[c];
+        }
+    };
+
     const label stride = 1 + state.size()/1000;
     for (label b = 0; b < state.size(); b += stride)
     {
@@ -55,6 +65,10 @@ void Foam::sceneSurvey::lookAtBodies()
         }
         n.shear = max(n.shear, mag(curl));
         n.spin = max(n.spin, mag(0.5*curl - state.omega[b]));
+        if (fluid_.k.size())
+        {
+            stir(n, c);
+        }
         k.slip += mag(u - state.v[b]);
         ++k.nSlips;
     }
@@ -65,6 +79,10 @@ void Foam::sceneSurvey::lookAtBodies()
         {
             k.numbers.shear = largestShear;
             k.numbers.spin = 0.5*largestShear;
+            forAll(fluid_.k, c)
+            {
+                stir(k.numbers, c);
+            }
         }
     }
 }

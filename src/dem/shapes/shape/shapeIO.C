@@ -219,6 +219,19 @@ void Foam::dem::shape::readMultisphere(const dictionary& dict)
     checkInertia(dict, body);
 
     set(spheres, &body);
+
+    // What standing for that body costs in exactness
+    Info<< "    shape " << name_ << ": " << spheres.size()
+        << " spheres, volume error "
+        << 100*mag(unionVolume_/volume_ - 1) << " %";
+    const dictionary& report = dict.subOrEmptyDict("report");
+    if (report.found("offsetError"))
+    {
+        Info<< ", offset error "
+            << 100*report.getOrDefault<scalar>("offsetError", 0)
+            << " %, as surfaceToMultisphere found";
+    }
+    Info<< endl;
 }
 
 
