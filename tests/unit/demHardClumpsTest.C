@@ -309,7 +309,7 @@ TEST(demHardClumps, rodAboutMiddleAxis)
       + "}\n"
     );
     bodies& b = c.state();
-    const vector I = b.inertia[0];
+    const vector I = b.inertia(0);
     const scalar middle = I.x() + I.y() + I.z() - cmptMax(I) - cmptMin(I);
     const scalar omega = Foam::constant::mathematical::twoPi/0.01;
     vector inBody(1e-3, 1e-3, 1e-3);

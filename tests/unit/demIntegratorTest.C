@@ -35,10 +35,22 @@ Foam::PtrList<shape> shapes()
     Foam::PtrList<shape> list(2);
     list.set(0, new shape(shape::sphere("ball", 1)));
 
-    Foam::List<shape::sphereData> pair(2);
-    pair[0] = shape::sphereData(point(1, 0, 0), 0.5);
-    pair[1] = shape::sphereData(point(-1, 0, 0), 0.5);
-    list.set(1, new shape("pair", pair));
+    list.set
+    (
+        1,
+        new shape
+        (
+            "pair",
+            dictionaryOf
+            (
+                "type multisphere;"
+                "spheres (((1 0 0) 0.5) ((-1 0 0) 0.5));"
+                "volume 1; centreOfMass (0 0 0);"
+                "inertiaPerDensity (1 0 0 2 0 3);"
+            ),
+            "."
+        )
+    );
     return list;
 }
 
@@ -112,7 +124,6 @@ public:
             Foam::scalar(0.7)
         );
         state_.append(n);
-        state_.inertia[0] = vector(1, 2, 3);
         state_.L[0] =
             state_.q[0].transform(vector(1*0.01, 2*1, 3*0.01));
         state_.update();

@@ -106,13 +106,12 @@ pairSet bruteForce(const bodies& state, const scalar skin)
 pairSet pairsOf(const verletList& list)
 {
     pairSet pairs;
-    for (label k = 0; k < list.size(); ++k)
+    list.pairs().forEach([&](const verletList::spherePair& p)
     {
-        const verletList::spherePair p = list.pair(k);
         EXPECT_LT(p.i, p.j);
         EXPECT_TRUE(pairs.insert(std::make_pair(p.i, p.j)).second)
             << "twice: " << p.i << ' ' << p.j;
-    }
+    });
     return pairs;
 }
 
@@ -236,14 +235,13 @@ TEST(demNeighbours, histories)
     verletList neighbours(0.5);
     neighbours.build(packedBodies(state));
     std::vector<verletList::pairHistory> slips;
-    for (label k = 0; k < neighbours.size(); ++k)
+    neighbours.pairs().forEach([&](const verletList::spherePair& p)
     {
-        const auto p = neighbours.pair(k);
         if (touches(p))
         {
             slips.push_back({p, slipOf(p)});
         }
-    }
+    });
     Foam::List<verletList::pairHistory> saved(slips.size());
     std::copy(slips.begin(), slips.end(), saved.begin());
     neighbours.setHistories(saved, {});
@@ -253,10 +251,10 @@ TEST(demNeighbours, histories)
     {
         const auto found = neighbours.histories();
         label n = 0;
-        for (label k = 0; k < neighbours.size(); ++k)
-        {
-            n += touches(neighbours.pair(k));
-        }
+        neighbours.pairs().forEach
+        (
+            [&](const verletList::spherePair& p) { n += touches(p); }
+        );
         EXPECT_EQ(found.size(), n);
         for (const verletList::pairHistory& h : found)
         {

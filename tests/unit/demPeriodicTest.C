@@ -374,14 +374,30 @@ TEST(demPeriodic, bruteForce)
                   < (b[2] != periodicity::original);
             }
         );
-        wrong += mag(label(expected.size()) - list.size());
-        for (label p = 0; p < list.size() && !wrong; ++p)
+        const sortedPairs& pairs = list.pairs();
+        wrong += mag(label(expected.size()) - pairs.size());
+
+        // Either way round
+        const auto compare = [&](const verletList::spherePair& p, label k)
         {
-            const auto& e = expected[p];
+            if (k < 0 || k >= label(expected.size()))
+            {
+                return;
+            }
+            const auto& e = expected[k];
             wrong +=
-                list.pair(p).i != e[0] || list.pair(p).j != e[1]
-             || mag(list.shift(p) - input.period.shift(e[2])) > 1e-15;
-        }
+                p.i != e[0] || p.j != e[1]
+             || mag(list.shiftOf(p) - input.period.shift(e[2])) > 1e-15;
+        };
+        label k = 0;
+        pairs.forEach
+        (
+            [&](const verletList::spherePair& p) { compare(p, k++); }
+        );
+        pairs.forEachBackwards
+        (
+            [&](const verletList::spherePair& p) { compare(p, --k); }
+        );
     }
     EXPECT_GT(throughSeams, 100);
     figure

@@ -290,7 +290,7 @@ TEST(demRollingSpring, pairs)
     );
     c.state().fluidForce[0] = vector(0, 0, -F);
     c.state().fluidForce[1] = vector(0, 0, F);
-    const scalar inertia = c.state().inertia[0].x();
+    const scalar inertia = c.state().inertia(0).x();
     const scalar t = 0.5*spin*inertia/(0.005*0.0025*F);
     c.run(t);
     figureNear

@@ -68,10 +68,22 @@ public:
     {
         if (clump)
         {
-            Foam::List<shape::sphereData> two(2);
-            two[0] = shape::sphereData(point(1, 0, 0), 0.5);
-            two[1] = shape::sphereData(point(-1, 0, 0), 0.5);
-            shapes_.set(0, new shape("pair", two));
+            shapes_.set
+            (
+                0,
+                new shape
+                (
+                    "pair",
+                    dictionaryOf
+                    (
+                        "type multisphere;"
+                        "spheres (((1 0 0) 0.5) ((-1 0 0) 0.5));"
+                        "volume 1; centreOfMass (0 0 0);"
+                        "inertiaPerDensity (1 0 0 2 0 3);"
+                    ),
+                    "."
+                )
+            );
         }
         else
         {
@@ -184,7 +196,6 @@ vector turned(const std::string& name, const label n)
     oneBody b(true);
     bodies& s = b.state();
     s.q[0] = Foam::quaternion(vector(1, 2, 3)/std::sqrt(14.0), scalar(0.7));
-    s.inertia[0] = vector(1, 2, 3);
     s.L[0] = vector(2, 3, 1);
     s.update();
     b.run

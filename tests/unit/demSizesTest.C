@@ -235,7 +235,7 @@ TEST(demSizes, drawn)
             1, 1e-10);
         ASSERT_NEAR
         (
-            state.inertia[b].z()
+            state.inertia(b).z()
            /(2500*given.inertiaPerDensity().z()*std::pow(factor, 5)),
             1,
             1e-12

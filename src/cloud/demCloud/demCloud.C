@@ -35,7 +35,7 @@ void keepBuoyancy
 )
 {
     state.drag = nullptr;
-    forAll(state.fluidForce, b)
+    forAll(state.x, b)
     {
         state.fluidForce[b] -= points.lostByFluid(b);
         state.fluidTorque[b] = Foam::Zero;

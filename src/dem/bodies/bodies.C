@@ -39,6 +39,25 @@ void gather
     list.transfer(taken);
 }
 
+
+void gather
+(
+    Foam::dem::heldVectors& held,
+    const Foam::labelUList& from,
+    const Foam::UList<Foam::dem::bodyRecord>& others,
+    Foam::vector Foam::dem::bodyRecord::* const member
+)
+{
+    const Foam::dem::heldVectors& before = held;
+    const Foam::label n = held.size();
+    Foam::dem::heldVectors taken;
+    for (const Foam::label k : from)
+    {
+        taken.append(k < n ? before[k] : others[k - n].*member);
+    }
+    held.swap(taken);
+}
+
 } // End anonymous namespace
 
 
@@ -64,7 +83,6 @@ Foam::label Foam::dem::bodies::append(const newBody& n)
     shapeI.append(n.shapeI);
     materialI.append(n.materialI);
     mass.append(n.density*s.volume());
-    inertia.append(n.density*s.inertiaPerDensity());
     x.append(n.position);
     v.append(n.velocity);
     q.append(unit(n.orientation*quaternion(s.toUser())));
@@ -87,8 +105,8 @@ Foam::dem::bodyRecord Foam::dem::bodies::record(const label b) const
 {
     return bodyRecord
     {
-        id[b], shapeI[b], materialI[b], mass[b], inertia[b], x[b], v[b], q[b],
-        L[b], omega[b], force[b], torque[b], fluidForce[b], fluidTorque[b]
+        id[b], shapeI[b], materialI[b], mass[b], x[b], v[b], q[b], L[b],
+        omega[b], force[b], torque[b], fluidForce[b], fluidTorque[b]
     };
 }
 
@@ -102,8 +120,8 @@ void Foam::dem::bodies::setState(const label b, const bodyRecord& r)
     omega[b] = r.omega;
     force[b] = r.force;
     torque[b] = r.torque;
-    fluidForce[b] = r.fluidForce;
-    fluidTorque[b] = r.fluidTorque;
+    fluidForce.set(b, r.fluidForce);
+    fluidTorque.set(b, r.fluidTorque);
     updateSpheres(b);
 }
 
@@ -169,7 +187,6 @@ void Foam::dem::bodies::take
     gather(shapeI, from, others, &bodyRecord::shapeI);
     gather(materialI, from, others, &bodyRecord::materialI);
     gather(mass, from, others, &bodyRecord::mass);
-    gather(inertia, from, others, &bodyRecord::inertia);
     gather(x, from, others, &bodyRecord::x);
     gather(v, from, others, &bodyRecord::v);
     gather(q, from, others, &bodyRecord::q);
@@ -232,17 +249,17 @@ Foam::vector Foam::dem::bodies::omegaFrom
 {
     if (shapeOf(b).isSphere())
     {
-        return angularMomentum/inertia[b].x();
+        return angularMomentum/inertia(b).x();
     }
 
-    return angularVelocity(q[b], angularMomentum, inertia[b]);
+    return angularVelocity(q[b], angularMomentum, inertia(b));
 }
 
 
 Foam::tensor Foam::dem::bodies::inertiaTensor(const label b) const
 {
     const tensor R = q[b].R();
-    const vector& I = inertia[b];
+    const vector I = inertia(b);
     return R & tensor(I.x(), 0, 0, 0, I.y(), 0, 0, 0, I.z()) & R.T();
 }
 

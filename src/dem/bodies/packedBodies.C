@@ -40,7 +40,7 @@ void Foam::dem::packedBodies::packClump(const bodies& state, const label b)
     c.centres = c.form->centres().cdata()->cdata();
     c.radius = c.form->boundingRadius();
     c.mass = state.mass[b];
-    c.inertia = state.inertia[b];
+    c.inertia = state.inertia(b);
     c.x = state.x[b];
     c.v = state.v[b];
     c.q = state.q[b];
@@ -64,7 +64,8 @@ void Foam::dem::packedBodies::packClump(const bodies& state, const label b)
 void Foam::dem::packedBodies::hold(const bodies& state)
 {
     bool any = false;
-    forAll(state.x, b)
+    const bool none = state.fluidForce.none() && state.fluidTorque.none();
+    for (label b = 0; b < state.size() && !none; ++b)
     {
         any =
             any
@@ -237,7 +238,7 @@ void Foam::dem::packedBodies::unpack(bodies& state) const
         end(b, vectorOf(now_.v(s)), g_ + mInverse*f);
         const scalar turn = quadRecords::surface*pending_*mInverse;
         state.omega[b] = (vectorOf(now_.w[s]) + turn*t)/r;
-        state.L[b] = state.inertia[b].x()*state.omega[b];
+        state.L[b] = state.inertia(b).x()*state.omega[b];
     }
 
     for (const int k : ownClump_)

@@ -216,7 +216,7 @@ Foam::vector Foam::coupling::pointForces::meanTorque
     if (state.shapeOf(b).isSphere())
     {
         // Exact: I omega' = T - C omega
-        const scalar I = state.inertia[b].x();
+        const scalar I = state.inertia(b).x();
         return phi(sum.spin*dt/I)*T;
     }
 

@@ -253,7 +253,7 @@ void Foam::coupling::immersedMethod::takeAlong()
         return;
     }
     along_.start(state.size());
-    held_ = state.fluidForce;
+    held_ = state.fluidForce.list();
     forAll(held_, b)
     {
         if (kinds_.resolved(b))
@@ -286,7 +286,10 @@ void Foam::coupling::immersedMethod::letGo()
     if (state.drag == &along_)
     {
         state.drag = nullptr;
-        state.fluidForce = held_;
+        forAll(held_, b)
+        {
+            state.fluidForce[b] = held_[b];
+        }
     }
 }
 

@@ -327,7 +327,7 @@ Foam::dem::hadesSolver::hadesSolver(const demInput& input)
     }
     packed_.setInstructions(contacts_.instructions());
     list_.setLanes(contacts_.nLanes());
-    list_.setMemory(laws.slips(), laws.rollsBack());
+    list_.setMemory(laws.slips(), true, laws.rollsBack());
     walls_.setMemory(laws.rollsBack());
     const sweepLaws& named = contacts_.laws();
     if

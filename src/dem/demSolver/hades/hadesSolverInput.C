@@ -15,6 +15,8 @@ License
 #include "overlapRelaxation.H"
 #include "roomGrid.H"
 
+#include <malloc.h>
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::dem::hadesSolver::readGenerators()
@@ -290,6 +292,7 @@ void Foam::dem::hadesSolver::enter(const scalar t)
         {
             g.report(Info, volume);
         }
+        g.release();
     }
     if (exchange_.valid() && state_.nextId() > nextId)
     {
@@ -299,6 +302,12 @@ void Foam::dem::hadesSolver::enter(const scalar t)
     {
         order();
         relax();
+    }
+    if (report_.nEntered > max(10000, state_.size()/2))
+    {
+        // The start of a large scene has had much that it does not need any
+        // more, and the C library keeps the half of it
+        malloc_trim(0);
     }
 }
 

@@ -36,16 +36,15 @@ Foam::string Foam::dem::hadesSolver::neighboursOf(const label b) const
 {
     const bodies& state = moving();
     labelHashSet others;
-    for (label k = 0; k < list_.size(); ++k)
+    list_.pairs().forEach([&](const verletList::spherePair& p)
     {
-        const verletList::spherePair p = list_.pair(k);
         const label i = state.sphereBody[p.i];
         const label j = state.sphereBody[p.j];
         if (i == b || j == b)
         {
             others.insert(i == b ? j : i);
         }
-    }
+    });
     forAll(walls_.walls(), w)
     {
         if (walls_.isNear(w, state.firstSphere[b], state.firstSphere[b + 1]))
@@ -157,21 +156,22 @@ void Foam::dem::hadesSolver::giveUp
 void Foam::dem::hadesSolver::checkFinite(const scalar t)
 {
     string why;
-    forAll(state_.x, b)
+    const bodies& state = state_;
+    forAll(state.x, b)
     {
         const vector sum =
-            state_.x[b] + state_.v[b] + state_.omega[b]
-          + state_.fluidForce[b] + state_.fluidTorque[b];
+            state.x[b] + state.v[b] + state.omega[b]
+          + state.fluidForce[b] + state.fluidTorque[b];
 
         // A NaN is not below anything
         if (why.empty() && !(magSqr(sum) < VGREAT))
         {
             why =
-                "    body " + std::to_string(state_.id[b]) + " ("
-              + state_.shapeOf(b).name() + ") at " + shown(state_.x[b])
+                "    body " + std::to_string(state.id[b]) + " ("
+              + state.shapeOf(b).name() + ") at " + shown(state.x[b])
               + " has velocity "
-              + shown(state_.v[b]) + " m/s and a force of the fluid of "
-              + shown(state_.fluidForce[b]) + " N.\n";
+              + shown(state.v[b]) + " m/s and a force of the fluid of "
+              + shown(state.fluidForce[b]) + " N.\n";
         }
     }
     if (group_.any(why.size()))

@@ -20,8 +20,13 @@ Foam::scalar Foam::dem::overlapRelaxation::givesWay
     const vector& n
 ) const
 {
-    const vector lever = arm ^ n;
-    return 1/state_.mass[b] + (lever & (turns_[b] & lever));
+    scalar way = 1/state_.mass[b];
+    if (clumps_)
+    {
+        const vector lever = arm ^ n;
+        way += lever & (turns_[b] & lever);
+    }
+    return way;
 }
 
 
@@ -34,11 +39,14 @@ void Foam::dem::overlapRelaxation::push
 {
     state_.x[b] += impulse/state_.mass[b];
 
-    const vector turn = turns_[b] & (arm ^ impulse);
-    const scalar angle = mag(turn);
-    if (angle > 0)
+    if (clumps_)
     {
-        state_.q[b] = unit(quaternion(turn/angle, angle)*state_.q[b]);
+        const vector turn = turns_[b] & (arm ^ impulse);
+        const scalar angle = mag(turn);
+        if (angle > 0)
+        {
+            state_.q[b] = unit(quaternion(turn/angle, angle)*state_.q[b]);
+        }
     }
     state_.updateSpheres(b);
 }
@@ -60,9 +68,12 @@ void Foam::dem::overlapRelaxation::note
 }
 
 
-void Foam::dem::overlapRelaxation::separate(const label pair, const bool move)
+void Foam::dem::overlapRelaxation::separate
+(
+    const verletList::spherePair& p,
+    const bool move
+)
 {
-    const verletList::spherePair& p = list_.pair(pair);
     vector n = state_.sphereX[p.i] - state_.sphereX[p.j];
     if (p.image != periodicity::original)
     {
@@ -159,12 +170,20 @@ void Foam::dem::overlapRelaxation::pass(const bool move, const bool backwards)
     worst_ = 0;
     renewList();
     const pointField oldBodies(state_.x);
-    const pointField oldSpheres(state_.sphereX);
+    const pointField oldSpheres
+    (
+        clumps_ ? pointField(state_.sphereX) : pointField()
+    );
 
-    const label n = list_.size();
-    for (label k = 0; k < n; ++k)
+    const auto apart =
+        [&](const verletList::spherePair& p) { separate(p, move); };
+    if (backwards)
     {
-        separate(backwards ? n - 1 - k : k, move);
+        list_.pairs().forEachBackwards(apart);
+    }
+    else
+    {
+        list_.pairs().forEach(apart);
     }
     if (move)
     {
@@ -181,10 +200,11 @@ void Foam::dem::overlapRelaxation::pass(const bool move, const bool backwards)
     }
     outOfWalls(move);
 
+    const pointField& before = clumps_ ? oldSpheres : oldBodies;
     scalar farthest = 0;
-    forAll(oldSpheres, s)
+    forAll(before, s)
     {
-        farthest = max(farthest, magSqr(state_.sphereX[s] - oldSpheres[s]));
+        farthest = max(farthest, magSqr(state_.sphereX[s] - before[s]));
     }
     list_.moved(sqrt(farthest));
     list_.accept();
@@ -205,11 +225,12 @@ Foam::dem::overlapRelaxation::overlapRelaxation
     period_(period),
     packed_(state),
     list_(0.3),
-    turns_(state.size(), Zero),
+    clumps_(state.nSpheres() > state.size()),
+    turns_(clumps_ ? state.size() : 0, Zero),
     small_(state.size())
 {
     list_.setPeriodicity(period);
-    list_.setMemory(false, false);
+    list_.setMemory(false, false, false);
     forAll(small_, b)
     {
         small_[b] = state.shapeOf(b).minRadius();

@@ -390,12 +390,17 @@ Foam::dem::generatorPlan Foam::dem::fileGenerator::plan() const
 
 Foam::label Foam::dem::fileGenerator::nDue(const scalar t)
 {
+    return t < start_ - 1e-9*mag(start_) ? 0 : total_;
+}
+
+
+void Foam::dem::fileGenerator::release()
+{
     if (nEntered() >= total_)
     {
         rows_.clearStorage();
         lines_.clearStorage();
     }
-    return t < start_ - 1e-9*mag(start_) ? 0 : total_;
 }
 
 

@@ -14,22 +14,44 @@ Class
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::dem::contactBlocks::setSize(memory& m, const label nBlocks) const
+void Foam::dem::contactBlocks::setRoom(memory& m, const label nBlocks) const
 {
     const label n = nBlocks*nLanes_;
     m.xi.setSize(slips_ ? 3*n : 0);
     m.rate.setSize(moves_ ? 4*n : 0);
     m.rolled.setSize(rolls_ ? 4*n : 0);
+}
+
+
+void Foam::dem::contactBlocks::setSize(memory& m, const label nBlocks) const
+{
+    setRoom(m, nBlocks);
     m.touched.assign(nBlocks, 0);
 }
 
 
+void Foam::dem::contactBlocks::move(const label from, const label to)
+{
+    if (slips_)
+    {
+        now_.xi.move(from, 3, to, nLanes_);
+    }
+    if (moves_)
+    {
+        now_.rate.move(from, 4, to, nLanes_);
+    }
+    if (rolls_)
+    {
+        now_.rolled.move(from, 4, to, nLanes_);
+    }
+}
+
+
 template<class Pairs>
-void Foam::dem::contactBlocks::place
+Foam::label Foam::dem::contactBlocks::layOut
 (
     const Pairs& pairs,
-    const label n,
-    const spherePair& filler
+    const label n
 )
 {
     const label W = nLanes_;
@@ -40,15 +62,25 @@ void Foam::dem::contactBlocks::place
     }
     nImages_ = n - nPlain_;
     nPlainBlocks_ = (nPlain_ + W - 1)/W;
-    const label nBlocks = nPlainBlocks_ + (nImages_ + W - 1)/W;
+    return nPlainBlocks_ + (nImages_ + W - 1)/W;
+}
 
+
+template<class Pairs>
+void Foam::dem::contactBlocks::place
+(
+    const Pairs& pairs,
+    const label nBlocks,
+    const spherePair& filler
+)
+{
+    const label W = nLanes_;
     i_.assign(nBlocks*W, 8*filler.i);
     j_.assign(nBlocks*W, 8*filler.j);
     image_.assign(nImages_ ? nBlocks*W : 0, periodicity::original);
-    setSize(now_, nBlocks);
     onTrial_ = false;
 
-    for (label p = 0; p < n; ++p)
+    for (label p = 0; p < nPlain_ + nImages_; ++p)
     {
         const spherePair& pair = pairs(p);
         const label k = slot(p);
@@ -86,12 +118,11 @@ void Foam::dem::contactBlocks::set
     const spherePair& filler
 )
 {
-    place
-    (
-        [&](const label p) -> const spherePair& { return touching[p].pair; },
-        touching.size(),
-        filler
-    );
+    const auto pairs =
+        [&](const label p) -> const spherePair& { return touching[p].pair; };
+    const label nBlocks = layOut(pairs, touching.size());
+    place(pairs, nBlocks, filler);
+    setSize(now_, nBlocks);
     forAll(touching, p)
     {
         const pairHistory& h = touching[p];
@@ -119,46 +150,48 @@ void Foam::dem::contactBlocks::set
     const spherePair& filler
 )
 {
-    // Which pairs had which memory
-    const std::vector<label>& lanes = touching();
-    old_.clear();
-    for (const label lane : lanes)
-    {
-        old_.push_back(pairInLane(lane));
-    }
-    std::swap(now_, trial_);
-
+    const auto pair =
+        [&](const label p) -> const spherePair& { return pairs[p]; };
     const label n = label(pairs.size());
-    place
-    (
-        [&](const label p) -> const spherePair& { return pairs[p]; },
-        n,
-        filler
-    );
+    const std::vector<label>& from = touching();
+    const label nBlocks = layOut(pair, n);
 
-    std::size_t next = 0;
-    for (label p = 0; p < n && next < lanes.size(); ++p)
+    // Where the memory of those that touch goes
+    lane_.clear();
+    for (label p = 0; p < n && lane_.size() < from.size(); ++p)
     {
-        if (before(pairs[p], old_[next]))
+        if (!before(pairs[p], pairInLane(from[lane_.size()])))
         {
-            continue;
+            lane_.push_back(slot(p));
         }
-        const label k = slot(p);
-        const label from = lanes[next++];
-        if (slips_)
+    }
+
+    // It goes there in place: as the order is the same, what goes down from
+    // the first to the last, and then what goes up from the last to the first,
+    // never meets what has yet to go
+    const label nTouching = label(lane_.size());
+    setRoom(now_, max(nBlocks, label(now_.touched.size())));
+    for (label t = 0; t < nTouching; ++t)
+    {
+        if (lane_[t] < from[t])
         {
-            now_.xi.take(trial_.xi, from, 3, k, nLanes_);
+            move(from[t], lane_[t]);
         }
-        if (moves_)
+    }
+    for (label t = nTouching - 1; t >= 0; --t)
+    {
+        if (lane_[t] > from[t])
         {
-            now_.rate.take(trial_.rate, from, 4, k, nLanes_);
+            move(from[t], lane_[t]);
         }
-        if (rolls_)
-        {
-            now_.rolled.take(trial_.rolled, from, 4, k, nLanes_);
-        }
+    }
+
+    setSize(now_, nBlocks);
+    for (const label k : lane_)
+    {
         now_.touched[k/nLanes_] |= 1 << (k % nLanes_);
     }
+    place(pair, nBlocks, filler);
 }
 
 

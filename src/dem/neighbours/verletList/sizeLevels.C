@@ -12,57 +12,55 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::dem::sizeLevels::sort(level& grid)
+void Foam::dem::sizeLevels::addLevels
+(
+    const label last,
+    const scalar largest
+)
 {
-    const label n = label(grid.entries.size());
-    if (!n)
+    while (label(levels_.size()) <= last)
+    {
+        level grid;
+        grid.radius =
+            largest/std::pow(2.0, scalar(levels_.size()))*(1 + 1e-9);
+        grid.perWidth = 1/(2*grid.radius + skin_);
+        grid.low = labelVector::uniform(labelMax);
+        grid.high = labelVector::uniform(labelMin);
+        levels_.push_back(grid);
+    }
+}
+
+
+void Foam::dem::sizeLevels::open(level& grid)
+{
+    if (!grid.n)
     {
         return;
-    }
-    grid.low = labelVector::uniform(labelMax);
-    grid.high = labelVector::uniform(labelMin);
-    for (const entry& e : grid.entries)
-    {
-        const labelVector c
-        (
-            gridIndex(e.x*grid.perWidth),
-            gridIndex(e.y*grid.perWidth),
-            gridIndex(e.z*grid.perWidth)
-        );
-        grid.low = min(grid.low, c);
-        grid.high = max(grid.high, c);
     }
     scalar nCells = 1;
     for (direction d = 0; d < 3; ++d)
     {
         nCells *= scalar(grid.high[d]) - scalar(grid.low[d]) + 1;
     }
-    grid.dense = nCells <= 8.0*n + 1000;
+    grid.dense = nCells <= 8.0*grid.n + 1000;
     std::size_t nPlaces = 16;
-    while (!grid.dense && nPlaces < std::size_t(2*n))
+    while (!grid.dense && nPlaces < std::size_t(2*grid.n))
     {
         nPlaces *= 2;
     }
     grid.begin.assign((grid.dense ? std::size_t(nCells) : nPlaces) + 1, 0);
+    grid.entries.resize(grid.n);
+}
 
-    // Backwards into their places, so that each has them in the order of
-    // their numbers
-    for (const entry& e : grid.entries)
-    {
-        ++grid.begin[place(grid, e)];
-    }
+
+void Foam::dem::sizeLevels::sum(level& grid)
+{
     label sum = 0;
     for (label& b : grid.begin)
     {
         sum += b;
         b = sum;
     }
-    std::vector<entry> sorted(n);
-    for (label k = n - 1; k >= 0; --k)
-    {
-        sorted[--grid.begin[place(grid, grid.entries[k])]] = grid.entries[k];
-    }
-    grid.entries.swap(sorted);
 }
 
 
@@ -75,30 +73,14 @@ Foam::dem::sizeLevels::sizeLevels
     const scalar skin
 )
 :
-    skin_(skin)
-{
-    const scalar rMax = max(r);
-    forAll(x, i)
-    {
-        const std::size_t l(std::floor(std::log2(rMax/r[i]) + 1e-9));
-        while (levels_.size() <= l)
-        {
-            level grid;
-            grid.radius =
-                rMax/std::pow(2.0, scalar(levels_.size()))*(1 + 1e-9);
-            grid.perWidth = 1/(2*grid.radius + skin_);
-            levels_.push_back(grid);
-        }
-        levels_[l].entries.push_back
-        (
-            entry{x[i].x(), x[i].y(), x[i].z(), r[i], i}
-        );
-    }
-    for (level& grid : levels_)
-    {
-        sort(grid);
-    }
-}
+    sizeLevels
+    (
+        x.size(),
+        [&](const label i) { return x[i]; },
+        [&](const label i) { return r[i]; },
+        skin
+    )
+{}
 
 
 // ************************************************************************* //

@@ -75,21 +75,22 @@ void Foam::dem::verletList::gather
     setTouch();
     const scalar* allowed = near_.allowed.cdata();
     const bool sleeping = asleep_.any();
-    nearPairs_.clear();
-    for (const spherePair& p : pairs_)
+    found_.clear();
+    found_.reserve(pairs_.size());
+    pairs_.forEach([&](const spherePair& p)
     {
         if (sleeping && asleep_.leavesOut(p))
         {
-            continue;
+            return;
         }
 
         // Each pair that touches is one of them
         if (next < touching.size() && !sooner(p, touch))
         {
-            nearPairs_.push_back(p);
+            found_.push_back(p);
             ++next;
             setTouch();
-            continue;
+            return;
         }
         const quad& a = xv[p.i].first;
         const quad& b = xv[p.j].first;
@@ -104,10 +105,10 @@ void Foam::dem::verletList::gather
 
         if (magSqr(d) < sqr(reach))
         {
-            nearPairs_.push_back(p);
+            found_.push_back(p);
         }
-    }
-    blocks.set(nearPairs_, contactBlocks::fillerOf(state.nSpheres()));
+    });
+    blocks.set(found_, contactBlocks::fillerOf(state.nSpheres()));
 }
 
 
@@ -303,10 +304,11 @@ void Foam::dem::verletList::build(const packedBodies& state)
     {
         for (const label lane : blocks->touching())
         {
-            pairs_.push_back(blocks->pairInLane(lane));
+            found_.push_back(blocks->pairInLane(lane));
         }
     }
-    sortPairs(n);
+    pairs_.set(found_, n);
+    std::vector<spherePair>().swap(found_);
 
     nearSkin_ = max(min(nearSkin_, min(fastSkin_, 4*skin_)), 0.1*skin_);
     setNear(state);

@@ -11,8 +11,6 @@ License
 #include "verletList.H"
 #include "sizeLevels.H"
 
-#include <algorithm>
-
 // * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
 
 namespace
@@ -42,12 +40,15 @@ inline bool within
 
 void Foam::dem::verletList::search(const packedBodies& state)
 {
-    pairs_.clear();
     const label n = state.nSpheres();
+    found_.clear();
     if (n < 2 || !meets_)
     {
         return;
     }
+
+    // More than there mostly are: room that is not used takes no memory
+    found_.reserve(8*std::size_t(n));
     if (periodic())
     {
         searchImages(state);
@@ -73,7 +74,7 @@ void Foam::dem::verletList::search(const packedBodies& state)
                 );
             if (near && state.mayTouch(state.bodyOf(i), state.bodyOf(j)))
             {
-                pairs_.push_back(spherePair(min(i, j), max(i, j)));
+                found_.push_back(spherePair(min(i, j), max(i, j)));
             }
         }
     );
@@ -85,116 +86,75 @@ void Foam::dem::verletList::searchImages(const packedBodies& state)
     const label n = state.nSpheres();
 
     // The spheres, and behind them the images of those near a seam
-    DynamicList<point> x(far_.x);
-    DynamicList<scalar> r(n);
-    DynamicList<label> source(identity(n));
-    DynamicList<label> image(labelList(n, label(periodicity::original)));
-
+    scalarList r(n);
     scalar overhang = 0;
     for (label s = 0; s < n; ++s)
     {
-        r.append(state.radius(s) + far_.allowed[s]);
-        overhang = max(overhang, period_.overhang(x[s], r[s]));
+        r[s] = state.radius(s) + far_.allowed[s];
+        overhang = max(overhang, period_.overhang(far_.x[s], r[s]));
     }
+    DynamicList<point> imageX;
+    DynamicList<label> source, image;
     for (label s = 0; s < n; ++s)
     {
-        const scalar radius = r[s];
         period_.forEachImage
         (
             far_.x[s],
-            radius + reach_ + overhang,
+            r[s] + reach_ + overhang,
             [&](const label m)
             {
-                x.append(far_.x[s] + period_.shift(m));
-                r.append(radius);
+                imageX.append(far_.x[s] + period_.shift(m));
                 source.append(s);
                 image.append(m);
             }
         );
     }
+    const auto sourceOf = [&](const label i)
+    {
+        return i < n ? i : source[i - n];
+    };
+    const auto imageOf = [&](const label i)
+    {
+        return i < n ? label(periodicity::original) : image[i - n];
+    };
+    const auto x = [&](const label i)
+    {
+        return i < n ? far_.x[i] : imageX[i - n];
+    };
 
-    sizeLevels(x, r, reach_).forEachPair
+    sizeLevels
+    (
+        n + imageX.size(),
+        x,
+        [&](const label i) { return r[sourceOf(i)]; },
+        reach_
+    ).forEachPair
     (
         [&](label i, label j)
         {
             // A pair through a seam is found twice, from either side: it is
             // taken where the lower sphere is the original
-            if (source[i] > source[j])
+            if (sourceOf(i) > sourceOf(j))
             {
                 Swap(i, j);
             }
-            const label a = source[i], b = source[j];
+            const label a = sourceOf(i), b = sourceOf(j);
             const bool near =
                 !reaches()
              || within
                 (
-                    x[i] - x[j], r[i] + r[j], state.radius(a),
+                    x(i) - x(j), r[a] + r[b], state.radius(a),
                     state.radius(b), leastReach_, reachPerRadius_
                 );
             if
             (
-                near && image[i] == periodicity::original
-             && state.mayTouch
-                (
-                    state.bodyOf(source[i]),
-                    state.bodyOf(source[j])
-                )
+                near && imageOf(i) == periodicity::original
+             && state.mayTouch(state.bodyOf(a), state.bodyOf(b))
             )
             {
-                pairs_.push_back(spherePair(source[i], source[j], image[j]));
+                found_.push_back(spherePair(a, b, imageOf(j)));
             }
         }
-    );
-}
-
-
-void Foam::dem::verletList::sortPairs(const label n)
-{
-    const auto seam = std::partition
-    (
-        pairs_.begin(),
-        pairs_.end(),
-        [](const spherePair& p) { return p.image == periodicity::original; }
-    );
-    const label nPlain = label(seam - pairs_.begin());
-    std::sort(seam, pairs_.end(), contactBlocks::before);
-
-    // Into buckets by the first sphere, in which few are left to sort
-    std::vector<label> end(n + 1, 0);
-    for (label p = 0; p < nPlain; ++p)
-    {
-        ++end[pairs_[p].i + 1];
-    }
-    for (label s = 0; s < n; ++s)
-    {
-        end[s + 1] += end[s];
-    }
-    sorted_.resize(nPlain);
-    for (label p = 0; p < nPlain; ++p)
-    {
-        sorted_[end[pairs_[p].i]++] = pairs_[p];
-    }
-    label begin = 0;
-    for (label s = 0; s < n; ++s)
-    {
-        std::sort
-        (
-            sorted_.begin() + begin,
-            sorted_.begin() + end[s],
-            [](const spherePair& a, const spherePair& b) { return a.j < b.j; }
-        );
-        begin = end[s];
-    }
-    std::copy(sorted_.begin(), sorted_.end(), pairs_.begin());
-
-    const auto same = [](const spherePair& a, const spherePair& b)
-    {
-        return a.i == b.i && a.j == b.j && a.image == b.image;
-    };
-    pairs_.erase
-    (
-        std::unique(pairs_.begin(), pairs_.end(), same),
-        pairs_.end()
     );
 }
 
