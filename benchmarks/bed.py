@@ -21,6 +21,7 @@ import re
 import shutil
 import statistics
 import subprocess
+import sys
 
 import numpy as np
 
@@ -171,8 +172,19 @@ def styx(case, first, core):
     return seconds, energy, contacts
 
 
-def liggghts(folder, state, width, core):
-    """The same by LIGGGHTS."""
+def measured(command, path):
+    """The command, started by a small process that writes the kB of its peak
+    into a file: a child of this one would begin with the peak of this one."""
+    code = ("import os, sys; "
+            "p = os.spawnvp(os.P_NOWAIT, sys.argv[2], sys.argv[2:]); "
+            "_, s, u = os.wait4(p, 0); "
+            "open(sys.argv[1], 'w').write(str(u.ru_maxrss)); "
+            "sys.exit(os.waitstatus_to_exitcode(s))")
+    return [sys.executable, "-S", "-c", code, path] + command
+
+
+def runLiggghts(folder, state, width, core, warmUp, steps):
+    """The same by LIGGGHTS: its output and the kB of its process."""
     lines = ["granular spheres\n\n%d atoms\n1 atom types\n" % len(state),
              "-0.0005 %g xlo xhi\n-0.0005 %g ylo yhi\n-0.0005 %g zlo zhi\n"
              % (width + 0.0005, width + 0.0005, state[:, 2].max() + 0.02),
@@ -183,20 +195,29 @@ def liggghts(folder, state, width, core):
     lines += ["%d %.9g %.9g %.9g %.9g %.9g %.9g" % (k + 1, *v)
               for k, v in enumerate(state[:, 3:9])]
     write(folder + "/bed.data", "\n".join(lines) + "\n")
+    peak = folder + "/peak"
     done = subprocess.run(
-        ["taskset", "-c", str(core), "liggghts",
-         "-in", here + "/peers/liggghtsBed.in",
-         "-var", "data", folder + "/bed.data", "-var", "lx", str(width),
-         "-var", "ly", str(width), "-var", "warm", str(warmUp),
-         "-var", "nt", str(steps), "-var", "np", "1"],
+        measured(["taskset", "-c", str(core), "liggghts",
+                  "-in", here + "/peers/liggghtsBed.in",
+                  "-var", "data", folder + "/bed.data",
+                  "-var", "lx", str(width), "-var", "ly", str(width),
+                  "-var", "warm", str(warmUp), "-var", "nt", str(steps),
+                  "-var", "np", "1"], peak),
         cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
         text=True, env=dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1",
                             OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1"))
-    times = re.findall(r"Loop time of ([0-9.e-]+) on", done.stdout)
+    with open(peak) as stream:
+        return done.stdout, int(stream.read())
+
+
+def liggghts(folder, state, width, core):
+    """Seconds of its steps after the warm-up, kinetic energy, contacts."""
+    output, _ = runLiggghts(folder, state, width, core, warmUp, steps)
+    times = re.findall(r"Loop time of ([0-9.e-]+) on", output)
     if len(times) < 2:
-        raise SystemExit(done.stdout[-2000:])
+        raise SystemExit(output[-2000:])
     rows = re.findall(r"\n\s*%d\s+%d\s+([0-9.e-]+)\s+([0-9]+)"
-                      % (warmUp + steps, len(state)), done.stdout)
+                      % (warmUp + steps, len(state)), output)
     return float(times[1]), float(rows[-1][0]), int(rows[-1][1])//2
 
 
