@@ -111,13 +111,13 @@ bool isSound(const dem::bodies& state)
             !std::isfinite(sum)
          || !(mag(mag(state.q[b]) - 1) < 1e-6)
          || !(state.mass[b] > 0) || !std::isfinite(state.mass[b])
-         || !(cmptMin(state.inertia[b]) > 0)
-         || !std::isfinite(mag(state.inertia[b]))
+         || !(cmptMin(state.inertia(b)) > 0)
+         || !std::isfinite(mag(state.inertia(b)))
         )
         {
             Info<< "broken: body " << state.id[b] << " x " << state.x[b]
                 << " v " << state.v[b] << " q " << state.q[b] << " mass "
-                << state.mass[b] << " I " << state.inertia[b] << " F "
+                << state.mass[b] << " I " << state.inertia(b) << " F "
                 << state.force[b] << endl;
             return false;
         }
