@@ -17,6 +17,7 @@ Description
 #include "demCase.H"
 
 #include "movedBodies.H"
+#include "topShape.H"
 
 #include <cmath>
 #include <cstdio>
@@ -35,22 +36,7 @@ Foam::PtrList<shape> shapes()
     Foam::PtrList<shape> list(2);
     list.set(0, new shape(shape::sphere("ball", 1)));
 
-    list.set
-    (
-        1,
-        new shape
-        (
-            "pair",
-            dictionaryOf
-            (
-                "type multisphere;"
-                "spheres (((1 0 0) 0.5) ((-1 0 0) 0.5));"
-                "volume 1; centreOfMass (0 0 0);"
-                "inertiaPerDensity (1 0 0 2 0 3);"
-            ),
-            "."
-        )
-    );
+    list.set(1, styxTest::topShape());
     return list;
 }
 

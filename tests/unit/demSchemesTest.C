@@ -14,6 +14,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "demCase.H"
+#include "topShape.H"
 
 #include <cmath>
 #include <cstdio>
@@ -68,22 +69,7 @@ public:
     {
         if (clump)
         {
-            shapes_.set
-            (
-                0,
-                new shape
-                (
-                    "pair",
-                    dictionaryOf
-                    (
-                        "type multisphere;"
-                        "spheres (((1 0 0) 0.5) ((-1 0 0) 0.5));"
-                        "volume 1; centreOfMass (0 0 0);"
-                        "inertiaPerDensity (1 0 0 2 0 3);"
-                    ),
-                    "."
-                )
-            );
+            shapes_.set(0, styxTest::topShape());
         }
         else
         {
