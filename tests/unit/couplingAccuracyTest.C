@@ -179,6 +179,10 @@ TEST(couplingAccuracy, entries)
     EXPECT_FALSE(byHand.subDict("couplingInterval").found("maxCo"));
     EXPECT_NEAR(other.parts()[0].error, 0.05, 1e-12);
 
+    // What the expansion leaves out is told in any run
+    EXPECT_EQ(couplingAccuracy::expansionError(byHand), 1e-6);
+    EXPECT_LT(couplingAccuracy::expansionError(dictionary()), 0);
+
     // Without points nothing
     dictionary solids(dictionaryFrom("immersed {}"));
     dem::accuracyPlan third(accuracy, 2);
@@ -186,6 +190,8 @@ TEST(couplingAccuracy, entries)
     EXPECT_FALSE(solids.found("couplingInterval"));
     couplingAccuracy::noteCells(third, 8);
     EXPECT_NEAR(third.parts()[0].error, 0.0181, 1e-6);
+    EXPECT_NE(third.parts()[0].cost.find("about 1 times"), std::string::npos);
+    EXPECT_NEAR(couplingAccuracy::costOf(16), 15.2, 0.5);
     EXPECT_NEAR
     (
         couplingAccuracy::errorOf(couplingAccuracy::cellsFor(0.004)), 0.004,

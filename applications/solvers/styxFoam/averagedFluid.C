@@ -194,6 +194,8 @@ Foam::averagedFluid::averagedFluid(dynamicFvMesh& mesh)
 
 void Foam::averagedFluid::setDeltaT()
 {
+    cloud_.passed(ledger::writing);
+    cloud_.passed(ledger::start);
     Time& time = const_cast<Time&>(mesh_.time());
     const dictionary& control = time.controlDict();
     const scalar Co = courantNumber();
@@ -221,7 +223,9 @@ void Foam::averagedFluid::setDeltaT()
 
 void Foam::averagedFluid::updateMesh()
 {
+    cloud_.passed(ledger::fluid);
     mesh_.update();
+    cloud_.passed(ledger::mesh);
     if (mesh_.changing())
     {
         // Where faces are new, the flux of the pressure's last solution is
@@ -325,6 +329,7 @@ void Foam::averagedFluid::report()
 
 void Foam::averagedFluid::close()
 {
+    cloud_.passed(ledger::writing);
     cloud_.close();
 }
 

@@ -209,6 +209,19 @@ void Foam::couplingAccuracy::choose
 }
 
 
+Foam::scalar Foam::couplingAccuracy::expansionError
+(
+    const dictionary& properties
+)
+{
+    return
+        diffuses(properties)
+      ? properties.subDict("voidFraction")
+       .getOrDefault<scalar>("tolerance", defaultTolerance)
+      : -1;
+}
+
+
 Foam::scalar Foam::couplingAccuracy::errorOf(const scalar nCells)
 {
     return 0.0181*pow(8/nCells, nCells < 8 ? 3.74 : 1.66);
@@ -218,6 +231,12 @@ Foam::scalar Foam::couplingAccuracy::errorOf(const scalar nCells)
 Foam::scalar Foam::couplingAccuracy::cellsFor(const scalar error)
 {
     return 8*max(pow(0.0181/error, 1/1.66), scalar(1));
+}
+
+
+Foam::scalar Foam::couplingAccuracy::costOf(const scalar nCells)
+{
+    return pow(nCells/8, 3.9);
 }
 
 
@@ -237,8 +256,8 @@ void Foam::couplingAccuracy::noteCells
     p.chosen = os.str();
     sentence cost;
     cost
-        << "with these, in 3-D, about " << pow(wanted/nCells, 4)
-        << " times the time";
+        << "about " << costOf(nCells) << " times the time of 8 cells, with "
+        << wanted << " it would be " << costOf(wanted) << " times, in 3-D";
     p.cost = cost.str();
     plan.append(p);
 }

@@ -75,6 +75,7 @@ void Foam::demCloud::meshMoved()
             << " system/fvSolution." << exit(FatalError);
     }
 
+    passed(ledger::mesh);
     ledger::entry e(ledger_, "cells sorted after a mesh change");
     bins_.update();
     exits_.update();
@@ -109,33 +110,6 @@ void Foam::demCloud::checkFinite() const
 }
 
 
-void Foam::demCloud::noteTimes()
-{
-    const scalar all = dem_->exchangeTime();
-    if (all > exchangeTime_)
-    {
-        ledger_.move
-        (
-            ledger::ofBodies,
-            "exchange between ranks",
-            all - exchangeTime_
-        );
-        exchangeTime_ = all;
-    }
-    if (dem_->nTimed())
-    {
-        ledger_.setPart("neighbours", dem_->neighbourTime());
-        ledger_.setPart
-        (
-            "contacts and walls, by one step in 64",
-            dem_->contactTime()
-        );
-        ledger_.addBookings(dem_->nTimed() - nTimed_);
-        nTimed_ = dem_->nTimed();
-    }
-}
-
-
 void Foam::demCloud::writeRanks() const
 {
     if (dem_->group().shared())
@@ -152,7 +126,9 @@ void Foam::demCloud::markInterface()
     if (interface_.valid())
     {
         // The mesh asks for these itself when it refines: they count as its
+        passed(ledger::fluid);
         mesh_.pointCells();
+        passed(ledger::mesh);
 
         ledger::entry e(ledger_, "refinement around the bodies");
         interface_->mark(*dem_, kinds_, 2*mesh_.time().deltaTValue());
@@ -201,6 +177,10 @@ void Foam::demCloud::samplePoints()
     {
         interval_->exchanged(state, *points_);
     }
+    if (coupling_ != "particlesToFluid")
+    {
+        errors_.exchanged(state, *points_);
+    }
     if (effectWatch_.valid())
     {
         watchPoints();
@@ -217,6 +197,8 @@ void Foam::demCloud::beginStep()
     {
         return;
     }
+    passed(ledger::fluid);
+    passed(ledger::start);
     endStep();
     finishWriting();
     if (time.writeTime())
@@ -292,7 +274,7 @@ void Foam::demCloud::beginStep()
         meters_->end(*dem_, t0, t1);
         checkFinite();
     }
-    noteTimes();
+    ledger_.noteBodies(*dem_);
 
     if (exchanged_.valid())
     {
@@ -334,6 +316,7 @@ void Foam::demCloud::addExchange(fvMatrix<vector>& eqn)
 
 void Foam::demCloud::correct(const volVectorField& U)
 {
+    passed(ledger::fluid);
     if (immersed_.valid())
     {
         ledger::entry e(ledger_, "forces on the bodies");
@@ -398,9 +381,11 @@ void Foam::demCloud::endStep()
         return;
     }
     open_ = false;
+    passed(ledger::fluid);
     if (exchanged_.valid())
     {
         finishExchange(U());
+        errors_.averaged(exchanged_->alpha(), exchanged_->averaging());
     }
     markInterface();
 
@@ -448,7 +433,7 @@ void Foam::demCloud::close()
     finishWriting();
     if (!ledger_.closed())
     {
-        closeAccuracy();
+        closeErrors();
         ledger_.close
         (
             mesh_.time().rootPath()/mesh_.time().globalCaseName()
@@ -471,6 +456,7 @@ void Foam::demCloud::close()
 
 void Foam::demCloud::autoMap(const mapPolyMesh&)
 {
+    passed(ledger::mesh);
     ledger::entry e(ledger_, "cells sorted after a mesh change");
     coupling::updateRankBoundaries(mesh_);
     bins_.update();

@@ -335,6 +335,12 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const fluidAccess access)
     bins_(mesh),
     cells_(bins_),
     exits_(mesh),
+    ledger_
+    (
+        access == fluidAccess::none ? ledger::solver::none
+      : access == fluidAccess::look ? ledger::solver::whole
+      : ledger::solver::open
+    ),
     timeIndex_(-1),
     vtp_(false),
     network_(false),

@@ -10,6 +10,7 @@ License
 
 #include "ledger.H"
 #include "limitsText.H"
+#include "StringStream.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -32,13 +33,22 @@ Foam::scalar Foam::ledger::whole() const
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::ledger::ledger()
+Foam::ledger::ledger(const solver fluid)
 :
+    solver_(fluid),
+    lapEnd_(clock::now()),
+    lapOwn_(0),
+    started_(false),
+    exchangeTime_(0),
+    nTimed_(0),
     nBooked_(0),
     energyGain_(-1),
     nBack_(0),
     cells_(0),
-    start_(clock::now()),
+    exchanged_(false),
+    slips_(0),
+    speeds_(0),
+    start_(lapEnd_),
     stepOwn_(0),
     stepWhole_(0),
     nFluidSteps_(0),
@@ -56,6 +66,74 @@ Foam::ledger::ledger()
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::ledger::lap(const char* name)
+{
+    if (started_)
+    {
+        if (solver_ == solver::none || name == start)
+        {
+            return;
+        }
+        if (solver_ == solver::whole && name != mesh)
+        {
+            name = looked;
+        }
+    }
+    const clock::time_point now = clock::now();
+    const scalar booked = own();
+    laps_[started_ ? name : start] +=
+        std::chrono::duration<scalar>(now - lapEnd_).count()
+      - (booked - lapOwn_);
+    lapEnd_ = now;
+    lapOwn_ = booked;
+    started_ = started_ || name == start;
+    ++nBooked_;
+}
+
+
+void Foam::ledger::noteBodies(const dem::demSolver& dem)
+{
+    const scalar all = dem.exchangeTime();
+    if (all > exchangeTime_)
+    {
+        move(ofBodies, "exchange between ranks", all - exchangeTime_);
+        exchangeTime_ = all;
+    }
+    if (dem.nTimed())
+    {
+        parts_["neighbours"] = dem.neighbourTime();
+        parts_["contacts"] = dem.contactTime(dem::sweepTimes::pairs);
+        if (dem.walls().size())
+        {
+            parts_["walls"] = dem.contactTime(dem::sweepTimes::walls);
+        }
+        nBooked_ += dem.nTimed() - nTimed_;
+        nTimed_ = dem.nTimed();
+    }
+}
+
+
+void Foam::ledger::setError
+(
+    const std::string& kind,
+    const std::string& name,
+    const scalar value,
+    const std::string& what
+)
+{
+    if (value < 0)
+    {
+        return;
+    }
+    figures_[kind + ": " + name] = value;
+
+    OStringStream os;
+    os.precision(3);
+    os  << name.c_str() << ": " << 100*value << " % (" << what.c_str() << ')';
+    errors_.push_back(os.str());
+}
+
 
 void Foam::ledger::line
 (
@@ -102,6 +180,7 @@ void Foam::ledger::line
 
     if (coupled.active)
     {
+        exchanged_ = true;
         const scalar mismatch =
             mag(coupled.toBodies + coupled.toFluid)
            /max(mag(coupled.toBodies), VSMALL);
@@ -114,6 +193,8 @@ void Foam::ledger::line
         if (coupled.leastAlpha < 0)
         {
             Info<< ", slip " << coupled.slip << " m/s";
+            slips_ += coupled.slip;
+            speeds_ += fastest;
         }
         else
         {

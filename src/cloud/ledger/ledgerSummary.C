@@ -39,12 +39,44 @@ Foam::scalar Foam::ledger::timeOfBooking()
 std::vector<std::pair<Foam::scalar, std::string>> Foam::ledger::sorted() const
 {
     std::vector<std::pair<scalar, std::string>> list;
-    for (const auto& t : times_)
+    for (const auto* times : {&times_, &laps_})
     {
-        list.emplace_back(t.second, t.first);
+        for (const auto& t : *times)
+        {
+            list.emplace_back(t.second, t.first);
+        }
     }
     std::sort(list.rbegin(), list.rend());
     return list;
+}
+
+
+std::map<std::string, Foam::scalar> Foam::ledger::partsOfBodies() const
+{
+    std::map<std::string, scalar> parts(parts_);
+    const auto all = times_.find(ofBodies);
+    if (parts.empty() || all == times_.end())
+    {
+        return parts;
+    }
+    scalar known = 0;
+    for (const auto& part : parts_)
+    {
+        known += part.second;
+    }
+    parts["motion and the rest"] = max(all->second - known, scalar(0));
+    return parts;
+}
+
+
+Foam::scalar Foam::ledger::rest(const scalar all) const
+{
+    scalar left = all - own();
+    for (const auto& t : laps_)
+    {
+        left -= t.second;
+    }
+    return left;
 }
 
 
@@ -91,14 +123,25 @@ void Foam::ledger::writeWords
             << 100*maxVolumeError_ << " % at most" << nl;
     }
 
-    os  << "    Wall time " << all << " s, of which" << nl;
+    if (errors_.size())
+    {
+        os  << "    Errors behind what was chosen, where they are known" << nl;
+    }
+    for (const std::string& error : errors_)
+    {
+        os  << "        " << error.c_str() << nl;
+    }
+
+    os  << "    Bodies and coupling took " << 100*own()/all
+        << " % of the time" << nl
+        << "    Wall time " << all << " s, of which" << nl;
     for (const auto& t : sorted())
     {
         os  << "        " << t.second.c_str() << ": " << t.first << " s, "
             << 100*t.first/all << " %" << nl;
         if (t.second == ofBodies)
         {
-            for (const auto& part : parts_)
+            for (const auto& part : partsOfBodies())
             {
                 os  << "            of which " << part.first.c_str() << ": "
                     << part.second << " s, " << 100*part.second/all << " %"
@@ -106,8 +149,8 @@ void Foam::ledger::writeWords
             }
         }
     }
-    os  << "        everything else (fluid, mesh): " << all - own() << " s, "
-        << 100*(all - own())/all << " %" << nl;
+    os  << "        everything else: " << rest(all) << " s, "
+        << 100*rest(all)/all << " %" << nl;
 
     const scalar one = timeOfBooking();
     os  << "    This ledger itself: " << nBooked_ << " bookings of "
@@ -152,8 +195,11 @@ void Foam::ledger::writeTable
         put("energyWithoutSource", energyGain_);
         put("stepsGoneBackOver", nBack_);
     }
-    put("momentumMismatch", maxMismatch_);
-    put("volumeError", maxVolumeError_);
+    if (exchanged_)
+    {
+        put("momentumMismatch", maxMismatch_);
+        put("volumeError", maxVolumeError_);
+    }
     if (cells_ > 0)
     {
         put("cellsOverSmallestDiameter", cells_);
@@ -163,6 +209,7 @@ void Foam::ledger::writeTable
         put(f.first, f.second);
     }
     put("wallTime_s", all);
+    put("bodiesAndCoupling_percent", 100*own()/all);
     put("ledgerBookings", nBooked_);
     put("ledgerShare_percent", 100*nBooked_*one/all);
 
@@ -172,13 +219,13 @@ void Foam::ledger::writeTable
         os  << t.second.c_str() << tab << t.first << tab
             << 100*t.first/all << nl;
     }
-    for (const auto& part : parts_)
+    for (const auto& part : partsOfBodies())
     {
         os  << "of " << ofBodies << ": " << part.first.c_str() << tab
             << part.second << tab << 100*part.second/all << nl;
     }
-    os  << "everything else (fluid, mesh)" << tab << all - own() << tab
-        << 100*(all - own())/all << nl;
+    os  << "everything else" << tab << rest(all) << tab
+        << 100*rest(all)/all << nl;
 }
 
 

@@ -357,6 +357,19 @@ Foam::vector Foam::dem::packedBodies::acceleration(const label b) const
 }
 
 
+Foam::vector Foam::dem::packedBodies::pushed(const label b) const
+{
+    const label p = place_[b];
+    const vector held =
+        p >= 0
+      ? clumpForce_[p]/clumps_[p].mass
+      : held_.empty()
+      ? vector(Zero)
+      : now_.x(-1 - p).w*vectorOf(held_[-1 - p].first);
+    return undragged(b) - g_ - held;
+}
+
+
 Foam::scalar Foam::dem::packedBodies::paths(std::vector<path>& all) const
 {
     all.assign(nSpheres_, path{Zero, Zero, 0});

@@ -84,6 +84,8 @@ Foam::functionObjects::demCloudFunctionObject::demCloudFunctionObject
         own_->writeOpt() = IOobject::NO_WRITE;
     }
 
+    particles().passed(ledger::start);
+
     FatalError.throwExceptions(throwing);
     FatalIOError.throwExceptions(throwingIO);
 }
@@ -155,6 +157,8 @@ bool Foam::functionObjects::demCloudFunctionObject::read
 
 bool Foam::functionObjects::demCloudFunctionObject::execute()
 {
+    // What is written is so after the last pressure correction
+    particles().passed(time_.writeTime() ? ledger::writing : ledger::fluid);
     if (own_.valid())
     {
         own_->beginStep();
@@ -184,6 +188,7 @@ bool Foam::functionObjects::demCloudFunctionObject::end()
 
 bool Foam::functionObjects::demCloudFunctionObject::adjustTimeStep()
 {
+    particles().passed(ledger::fluid);
     const scalar bound = particles().maxDeltaT();
     if (bound >= time_.deltaTValue())
     {

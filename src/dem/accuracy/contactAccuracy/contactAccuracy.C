@@ -164,7 +164,7 @@ Foam::dictionary Foam::dem::contactAccuracy::choose
     accuracyPlan::part& chosen
 ) const
 {
-    chosen.name = "steps in a contact";
+    chosen.name = accuracyPlan::steps;
     chosen.error = -1;
     dictionary control(control_);
     OStringStream entry;

@@ -10,30 +10,51 @@ License
 
 #include "impulseError.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-namespace
-{
-
-void copyAccelerations
+void Foam::dem::impulseError::choose
 (
-    const Foam::dem::packedBodies& state,
-    Foam::List<Foam::vector>& a
+    const packedBodies& state,
+    const UList<label>& id,
+    const label nIds
 )
 {
-    a.resize(state.size());
-    forAll(a, b)
+    // By id, so that more ranks look at the same bodies
+    const label each = 1 + max(nIds - 1, label(0))/most;
+    chosen_.clear();
+    for (label b = 0; b < state.size(); ++b)
     {
-        a[b] = state.acceleration(b);
+        if (id[b] % each == 0 && state.owns(b))
+        {
+            chosen_.append(b);
+        }
     }
 }
 
-} // End anonymous namespace
+
+void Foam::dem::impulseError::copy
+(
+    const packedBodies& state,
+    List<vector>& a
+)
+{
+    a.resize(chosen_.size());
+    forAll(chosen_, i)
+    {
+        a[i] = state.pushed(chosen_[i]);
+    }
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::dem::impulseError::step(const packedBodies& state, const scalar h)
+void Foam::dem::impulseError::step
+(
+    const packedBodies& state,
+    const UList<label>& id,
+    const label nIds,
+    const scalar h
+)
 {
     const label phase = nSteps_++ % every;
     if (phase > 2)
@@ -42,36 +63,42 @@ void Foam::dem::impulseError::step(const packedBodies& state, const scalar h)
     }
     if (phase == 0)
     {
-        copyAccelerations(state, a0_);
+        choose(state, id, nIds);
+        copy(state, a0_);
         return;
     }
-    if (a0_.size() != state.size())
+    if (chosen_.empty() || chosen_.last() >= state.size())
     {
         restart();
         return;
     }
     if (phase == 1)
     {
-        copyAccelerations(state, a1_);
+        copy(state, a1_);
         h1_ = h;
-        return;
-    }
-    if (a1_.size() != state.size())
-    {
+        size_ = 0;
+        forAll(chosen_, i)
+        {
+            size_ += mag(state.acceleration(chosen_[i]) - g_);
+        }
         return;
     }
 
-    for (label b = 0; b < state.size(); ++b)
+    if (a1_.empty())
     {
-        if (state.owns(b))
-        {
-            const vector bend =
-                2/(h1_ + h)
-               *((state.acceleration(b) - a1_[b])/h - (a1_[b] - a0_[b])/h1_);
-            error_ += h1_*h/12*mag(bend);
-            whole_ += mag(a1_[b] - g_);
-        }
+        return;
     }
+    forAll(chosen_, i)
+    {
+        const vector bend =
+            2/(h1_ + h)
+           *(
+                (state.pushed(chosen_[i]) - a1_[i])/h
+              - (a1_[i] - a0_[i])/h1_
+            );
+        error_ += h1_*h/12*mag(bend);
+    }
+    whole_ += size_;
     ++nSamples_;
     restart();
 }

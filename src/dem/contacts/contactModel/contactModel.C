@@ -237,7 +237,8 @@ void Foam::dem::contactModel::attract
     verletList& list,
     wallSet& walls,
     const bool onTrial,
-    contactSummary& sum
+    contactSummary& sum,
+    sweepTimes* times
 )
 {
     UList<wallTouch>& reached = walls.paddedReached(nLanes());
@@ -246,6 +247,11 @@ void Foam::dem::contactModel::attract
 
     sweepFound found;
     set_->attract(laws_, data, found);
+    if (times)
+    {
+        times->passed(sweepTimes::pairs, found.pairsDone);
+        times->passed(sweepTimes::walls);
+    }
 
     if (found.pairs.frequency10 > sum.frequency10)
     {
@@ -288,13 +294,28 @@ Foam::dem::contactSummary Foam::dem::contactModel::addForces
     wallSet& walls,
     const scalar dt,
     const scalar between,
-    const bool onTrial
+    const bool onTrial,
+    sweepTimes* times
 )
 {
-    if (list.refresh(state) || !walls.narrowed())
+    const auto passed = [=](const sweepTimes::of what)
+    {
+        if (times)
+        {
+            times->passed(what);
+        }
+    };
+    if (times)
+    {
+        times->start();
+    }
+    const bool refreshed = list.refresh(state);
+    passed(sweepTimes::pairs);
+    if (refreshed || !walls.narrowed())
     {
         walls.narrow(state, list.allowedNear());
     }
+    passed(sweepTimes::walls);
     if (state.asleep().any())
     {
         if (state.asleep().due())
@@ -303,9 +324,12 @@ Foam::dem::contactSummary Foam::dem::contactModel::addForces
         }
         state.asleep().meet(list.asleep().border(), state.spheres());
     }
+    passed(sweepTimes::pairs);
     walls.findTouches(state);
+    passed(sweepTimes::walls);
 
     sweepData data;
+    data.clock = times ? &sweepTimes::now : nullptr;
     giveBodies(state, data);
     data.dt = dt;
     data.ahead = between > 0 ? 0.5*dt/between : 0;
@@ -322,6 +346,11 @@ Foam::dem::contactSummary Foam::dem::contactModel::addForces
 
     sweepFound found;
     set_->sweep(laws_, data, found);
+    if (times)
+    {
+        times->passed(sweepTimes::pairs, found.pairsDone);
+        times->passed(sweepTimes::walls);
+    }
 
     contactSummary sum;
     sum.nPairs = found.pairs.nTouching;
@@ -352,7 +381,7 @@ Foam::dem::contactSummary Foam::dem::contactModel::addForces
     });
     if (laws_.reaches())
     {
-        attract(data, state, list, walls, onTrial, sum);
+        attract(data, state, list, walls, onTrial, sum, times);
     }
     if (sum.frequency10 > 0)
     {

@@ -135,9 +135,12 @@ void Foam::dem::hadesSolver::computeForces
     walls_.moveTo(t);
     if (exchange_.valid() ? due_ : outdated())
     {
-        if (exchange_.valid() && !exchange_->takeFresh())
+        if (exchange_.valid())
         {
-            exchange_->reachOut(packed_, list_, walls_);
+            if (!exchange_->takeFresh())
+            {
+                exchange_->reachOut(packed_, list_, walls_);
+            }
             if (impulse_.valid())
             {
                 impulse_->restart();
@@ -153,10 +156,7 @@ void Foam::dem::hadesSolver::computeForces
 
     // To read the clock each time would cost as much as a few contacts
     const bool timed = nSweeps_++ % 64 == 0;
-    const auto start =
-        timed
-      ? std::chrono::steady_clock::now()
-      : std::chrono::steady_clock::time_point();
+    nSweepsTimed_ += timed;
     summary_ = contacts_.addForces
     (
         packed_,
@@ -164,13 +164,9 @@ void Foam::dem::hadesSolver::computeForces
         walls_,
         dt,
         integrator_->leaps() ? 0.5*(lastDt_ + dt) : 0,
-        onTrial
+        onTrial,
+        timed ? &sweepTimes_ : nullptr
     );
-    if (timed)
-    {
-        sweepTime_ += secondsSince(start);
-        ++nSweepsTimed_;
-    }
     shareSummary();
 }
 
@@ -402,7 +398,7 @@ void Foam::dem::hadesSolver::advance(const scalar t0, const scalar t1)
         t = dt == t1 - t ? t1 : t + dt;
         if (impulse_.valid())
         {
-            impulse_->step(packed_, dt);
+            impulse_->step(packed_, moving().id, state_.nextId(), dt);
         }
         if (sleepers_.valid())
         {

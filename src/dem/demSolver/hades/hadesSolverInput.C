@@ -73,6 +73,10 @@ void Foam::dem::hadesSolver::readSinks()
 Foam::autoPtr<Foam::dem::stepControl>
 Foam::dem::hadesSolver::chooseControl()
 {
+    if (integrator_->leaps())
+    {
+        impulse_.reset(new impulseError(g()));
+    }
     if (!(input_.contactError > 0))
     {
         return stepControl::New(input_.dict.subDict("stepControl"));
@@ -91,10 +95,6 @@ Foam::dem::hadesSolver::chooseControl()
             stepAccuracy_
         )
     );
-    if (integrator_->leaps())
-    {
-        impulse_.reset(new impulseError(g()));
-    }
     return stepControl::New(control);
 }
 

@@ -106,7 +106,8 @@ List<dem::shape::sphereData> readEllipsoid
 (
     const word& name,
     const dictionary& dict,
-    dem::massProperties& body
+    dem::massProperties& body,
+    scalar& error
 )
 {
     const vector axes = dem::getFiniteVector(dict, "semiAxes");
@@ -160,6 +161,7 @@ List<dem::shape::sphereData> readEllipsoid
             dem::shape::sphereData(cluster.centre(i), cluster.radius(i));
     }
     body = cluster.properties();
+    error = cluster.error();
     return spheres;
 }
 
@@ -222,13 +224,12 @@ void Foam::dem::shape::readMultisphere(const dictionary& dict)
 
     // What standing for that body costs in exactness
     Info<< "    shape " << name_ << ": " << spheres.size()
-        << " spheres, volume error "
-        << 100*mag(unionVolume_/volume_ - 1) << " %";
-    const dictionary& report = dict.subOrEmptyDict("report");
-    if (report.found("offsetError"))
+        << " spheres, volume error " << 100*volumeError() << " %";
+    surfaceError_ =
+        dict.subOrEmptyDict("report").getOrDefault<scalar>("offsetError", -1);
+    if (surfaceError_ >= 0)
     {
-        Info<< ", offset error "
-            << 100*report.getOrDefault<scalar>("offsetError", 0)
+        Info<< ", offset error " << 100*surfaceError_
             << " %, as surfaceToMultisphere found";
     }
     Info<< endl;
@@ -275,7 +276,10 @@ Foam::dem::shape::shape
         keys.append(wordList({"semiAxes", "spheres", "surfaceError"}));
         checkKeys(dict, keys);
         massProperties body;
-        const List<sphereData> spheres(readEllipsoid(name, dict, body));
+        const List<sphereData> spheres
+        (
+            readEllipsoid(name, dict, body, surfaceError_)
+        );
         set(spheres, &body);
         return;
     }
