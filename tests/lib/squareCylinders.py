@@ -14,8 +14,9 @@
 #         table = shedding(12, 0.02, ["200"], ["fitted", "surface"], 6)
 #             where vortices are shed, second order in time, on cells that are
 #             0.02 of the edge at the square's sides: mean drag coefficient and
-#             Strouhal number of the last three whole periods of 6 s. The runs
-#             go on from a flow that sheds, of the surface on even cells
+#             Strouhal number of the last four whole periods of 6 s, an even number
+#             as they may alternate. The runs go on from a flow that sheds, of
+#             the surface on even cells
 #------------------------------------------------------------------------------
 import glob
 import os
@@ -121,7 +122,7 @@ def forces(run):
                     text.read(), re.M))]
 
 
-def periods(run, last=3):
+def periods(run, last=4):
     """Mean drag coefficient and Strouhal number of the last whole periods."""
     rows = forces(run)
     late = [row[2] for row in rows[len(rows)//2:]]
