@@ -106,6 +106,8 @@ Foam::dem::demInput Foam::demCloud::solverInput(const fluidAccess access)
         mesh_.time().rootPath()/mesh_.time().globalCaseName()
        /mesh_.time().constant();
     input.g = readGravity();
+    input.closed = mesh_.bounds();
+    input.meshMoves = mesh_.dynamic();
     if (accuracy_.valid())
     {
         couplingAccuracy::chooseSleeping(dict_, *accuracy_, mag(input.g));

@@ -86,12 +86,9 @@ Foam::string Foam::demCloud::needsAll(const fluidAccess access) const
             return "the mesh may be refined around them";
         }
     }
-    for (const char* block : {"watchdog", "couplingInterval"})
+    if (dict_.found("couplingInterval"))
     {
-        if (dict_.found(block))
-        {
-            return string(block) + " looks at all of them";
-        }
+        return "couplingInterval looks at all of them";
     }
     if
     (

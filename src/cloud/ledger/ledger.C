@@ -44,6 +44,8 @@ Foam::ledger::ledger(const solver fluid)
     nBooked_(0),
     energyGain_(-1),
     nBack_(0),
+    nTwice_(0),
+    nUnknown_(0),
     cells_(0),
     exchanged_(false),
     slips_(0),
@@ -156,6 +158,14 @@ void Foam::ledger::line
     for (const word& name : report.limits.toc())
     {
         limits_(name) += report.limits[name];
+    }
+    energyGain_ = max(energyGain_, report.energyGain);
+    nBack_ += report.nBack;
+    nTwice_ += report.nTwice;
+    if (report.energyUnknown)
+    {
+        energyUnknown_ = report.energyUnknown;
+        ++nUnknown_;
     }
     maxOverlap_ = max(maxOverlap_, report.overlap);
     dtMin_ = min(dtMin_, report.dtMin);

@@ -108,8 +108,18 @@ void Foam::ledger::writeWords
     if (energyGain_ >= 0)
     {
         os  << "    Energy without a source: " << 100*energyGain_
-            << " % of what there was at most, " << nBack_
-            << " steps gone back over" << nl;
+            << " % of what there was at most; " << nTwice_
+            << " steps made twice to see it" << nl;
+    }
+    if (nUnknown_)
+    {
+        os  << "    Energy of " << nUnknown_
+            << " steps not looked at, as " << energyUnknown_.c_str() << nl;
+    }
+    if (nBack_)
+    {
+        os  << "    Gone back " << nBack_ << " times over steps in which"
+            << " something was wrong" << nl;
     }
     if (cells_ > 0)
     {
@@ -193,8 +203,10 @@ void Foam::ledger::writeTable
     if (energyGain_ >= 0)
     {
         put("energyWithoutSource", energyGain_);
-        put("stepsGoneBackOver", nBack_);
     }
+    put("stepsMadeTwice", nTwice_);
+    put("stepsOfUnknownEnergy", nUnknown_);
+    put("stepsGoneBackOver", nBack_);
     if (exchanged_)
     {
         put("momentumMismatch", maxMismatch_);

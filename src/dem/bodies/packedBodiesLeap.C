@@ -10,6 +10,7 @@ License
 
 #include "packedBodies.H"
 #include "quadRecords.H"
+#include "rotation.H"
 
 using Foam::dem::quadRecords::record;
 using Foam::dem::quadRecords::vectorOf;
@@ -278,6 +279,41 @@ void Foam::dem::packedBodies::undo()
         asleep_.reset(now_);
         asleep_.setStale();
     }
+}
+
+
+Foam::dem::packedEnd Foam::dem::packedBodies::end(const label b) const
+{
+    const label k = place_[b];
+    if (asleep_.has(b))
+    {
+        return packedEnd{Zero, Zero, Zero};
+    }
+    if (k < 0)
+    {
+        const label s = -1 - k;
+        const scalar mInverse = now_.x(s).w;
+        const vector a(g_ + mInverse*vectorOf(now_.f(s)));
+        const scalar turn = quadRecords::surface*pending_*mInverse;
+        const vector w(vectorOf(now_.w[s]) + turn*vectorOf(now_.t(s)));
+        const vector omega(w/now_.v(s).w);
+        return packedEnd
+        {
+            kicked(b, vectorOf(now_.v(s)), a, pending_, 0),
+            state_->inertia(b).x()*omega,
+            omega
+        };
+    }
+    const clump& c = clumps_[k];
+    vector F, T;
+    collect(now_, k, c, F, T);
+    const vector L(c.L + pending_*T);
+    return packedEnd
+    {
+        kicked(b, c.v, g_ + F/c.mass, pending_, 0),
+        L,
+        angularVelocity(c.q, L, c.inertia)
+    };
 }
 
 

@@ -110,6 +110,7 @@ Foam::List<Foam::dem::contactForce> Foam::dem::contactForces
         c.n = d/max(mag(d), VSMALL);
         const scalar rSum = state.sphereR[p.i] + state.sphereR[p.j];
         c.p = state.sphereX[p.i] - state.sphereR[p.i]/rSum*d;
+        c.overlap = rSum - mag(d);
         c.branch = state.x[c.a] - state.x[c.b] - shift;
     }
 
@@ -135,16 +136,22 @@ Foam::List<Foam::dem::contactForce> Foam::dem::contactForces
         c.a = state.sphereBody[s];
         c.b = -1 - touches[k].wallI;
         c.n = touches[k].n;
+        c.overlap = touches[k].overlap;
         c.p = state.sphereX[s]
             - (state.sphereR[s] - touches[k].overlap)*touches[k].n;
         c.branch = state.x[c.a] - c.p;
     }
 
+    // The sweep writes how contacts have rolled, which is not asked for here
+    const bool rolls = model.laws().rollsBack();
+    std::vector<scalar> wallRolled(rolls ? 4*atWalls.size() : 0, 0);
     contactBlocks blocks;
     blocks.setLanes(nLanes);
+    blocks.setMemory(true, true, rolls);
     blocks.set(histories, contactBlocks::fillerOf(2*nPairs + nTouches));
 
     spheres.give(data, m);
+    data.laws = &model.laws();
     data.fetches = false;
     data.dt = 0;
     data.ahead = 0;
@@ -156,6 +163,7 @@ Foam::List<Foam::dem::contactForce> Foam::dem::contactForces
     data.wallRecords = atWalls[0].n.v_;
     data.wallRecordsStep = sizeof(wallTouch)/sizeof(scalar);
     data.wallMaterial = wallMaterial.data();
+    data.wallRolled = rolls ? wallRolled.data() : nullptr;
 
     sweepFound found;
     model.instructions().sweep(model.laws(), data, found);

@@ -10,7 +10,6 @@ License
 
 #include "hadesSolver.H"
 #include "checkedEntry.H"
-#include "overlapRelaxation.H"
 #include "addToRunTimeSelectionTable.H"
 
 #include <chrono>
@@ -118,6 +117,11 @@ void Foam::dem::hadesSolver::begin(const scalar t, const scalar t1)
     computeForces(t, 0, false);
     list_.accept();
     walls_.accept();
+    if (notesStored_)
+    {
+        stored_ = storedInContacts();
+        notesStored_ = false;
+    }
     if (sleepers_.valid())
     {
         sleep(t, 0);
@@ -270,6 +274,58 @@ Foam::scalar Foam::dem::hadesSolver::nextStep
 }
 
 
+void Foam::dem::hadesSolver::move(const scalar t0, const scalar t1)
+{
+    // The forces that are held have changed, perhaps the velocities too
+    walls_.beginAdvance(t0, t1);
+    list_.start();
+    begin(t0, t1);
+
+    scalar t = t0;
+    while (t < t1)
+    {
+        // A list reaches half of the skin: no sooner is it made again
+        crossSeams(0.5*list_.skin());
+
+        stepChoice step;
+        scalar dt = nextStep(t, t1, step);
+        if (sleepers_.valid() && wakeForWalls(dt))
+        {
+            dt = nextStep(t, t1, step);
+        }
+        if (report_.nSteps + report_.nRejected >= control_->maxSteps())
+        {
+            giveUp(t, t1 - t0, dt, step);
+        }
+
+        if (!tryStep(t, dt))
+        {
+            ++report_.nRejected;
+            continue;
+        }
+
+        t = dt == t1 - t ? t1 : t + dt;
+        if (impulse_.valid())
+        {
+            impulse_->step(packed_, moving().id, state_.nextId(), dt);
+        }
+        if (sleepers_.valid())
+        {
+            sleep(t, dt);
+        }
+
+        ++report_.nSteps;
+        ++report_.limits(step.limit);
+        report_.dtMin = min(report_.dtMin, dt);
+        report_.dtMax = max(report_.dtMax, dt);
+        report_.overlap = max(report_.overlap, summary_.overlap);
+    }
+
+    list_.stop();
+    crossSeams(0);
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 namespace
@@ -341,6 +397,7 @@ Foam::dem::hadesSolver::hadesSolver(const demInput& input)
     readMirrors();
     readGenerators();
     readSinks();
+    readWatchdog();
     checkIntegrator(laws);
     checkShapes(laws);
     readSleeping();
@@ -367,87 +424,20 @@ void Foam::dem::hadesSolver::advance(const scalar t0, const scalar t1)
 
     checkFinite(t0);
 
-    // The forces that are held have changed, perhaps the velocities too
-    walls_.beginAdvance(t0, t1);
-    list_.start();
-    begin(t0, t1);
-
-    scalar t = t0;
-    while (t < t1)
+    if (watchdog_.valid())
     {
-        // A list reaches half of the skin: no sooner is it made again
-        crossSeams(0.5*list_.skin());
-
-        stepChoice step;
-        scalar dt = nextStep(t, t1, step);
-        if (sleepers_.valid() && wakeForWalls(dt))
-        {
-            dt = nextStep(t, t1, step);
-        }
-        if (report_.nSteps + report_.nRejected >= control_->maxSteps())
-        {
-            giveUp(t, t1 - t0, dt, step);
-        }
-
-        if (!tryStep(t, dt))
-        {
-            ++report_.nRejected;
-            continue;
-        }
-
-        t = dt == t1 - t ? t1 : t + dt;
-        if (impulse_.valid())
-        {
-            impulse_->step(packed_, moving().id, state_.nextId(), dt);
-        }
-        if (sleepers_.valid())
-        {
-            sleep(t, dt);
-        }
-
-        ++report_.nSteps;
-        ++report_.limits(step.limit);
-        report_.dtMin = min(report_.dtMin, dt);
-        report_.dtMax = max(report_.dtMax, dt);
-        report_.overlap = max(report_.overlap, summary_.overlap);
+        keepStart();
     }
-
-    list_.stop();
-    crossSeams(0);
+    move(t0, t1);
+    if (watchdog_.valid())
+    {
+        watch(t0, t1);
+    }
     unpack();
     checkFinite(t1);
     report_.overlap = group_.max(report_.overlap);
     report_.nContacts = nContacts();
     report_.nAsleep = sleepers_.valid() ? sleepers_->nAsleep() : -1;
-}
-
-
-void Foam::dem::hadesSolver::setMeets(const bool meets, const bool restart)
-{
-    list_.setMeets(meets);
-    if (!meets || restart || !state_.size())
-    {
-        return;
-    }
-
-    const overlapRelaxation::result r =
-        overlapRelaxation(state_, walls_, input_.period).run();
-    if (r.before > overlapRelaxation::tolerance)
-    {
-        Info<< "    bodies that had come to overlap, by "
-            << 100*r.before << " % of the smaller radius, were moved apart, by "
-            << r.farthest << " m at most" << endl;
-    }
-    if (r.after > overlapRelaxation::tolerance)
-    {
-        FatalErrorInFunction
-            << "Bodies meet from now on, but " << nameOf(r.a).c_str()
-            << " and " << nameOf(r.b).c_str() << " have come to overlap by "
-            << 100*r.after << " % of the smaller radius and cannot be moved"
-            << " apart." << nl
-            << "    Take a smaller targetError in effects, so that they meet"
-            << " sooner." << exit(FatalError);
-    }
 }
 
 

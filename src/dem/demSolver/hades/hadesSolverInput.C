@@ -344,4 +344,33 @@ bool Foam::dem::hadesSolver::hasRoomFor(const label i) const
 }
 
 
+void Foam::dem::hadesSolver::setMeets(const bool meets, const bool restart)
+{
+    list_.setMeets(meets);
+    if (!meets || restart || !state_.size())
+    {
+        return;
+    }
+
+    const overlapRelaxation::result r =
+        overlapRelaxation(state_, walls_, input_.period).run();
+    if (r.before > overlapRelaxation::tolerance)
+    {
+        Info<< "    bodies that had come to overlap, by "
+            << 100*r.before << " % of the smaller radius, were moved apart, by "
+            << r.farthest << " m at most" << endl;
+    }
+    if (r.after > overlapRelaxation::tolerance)
+    {
+        FatalErrorInFunction
+            << "Bodies meet from now on, but " << nameOf(r.a).c_str()
+            << " and " << nameOf(r.b).c_str() << " have come to overlap by "
+            << 100*r.after << " % of the smaller radius and cannot be moved"
+            << " apart." << nl
+            << "    Take a smaller targetError in effects, so that they meet"
+            << " sooner." << exit(FatalError);
+    }
+}
+
+
 // ************************************************************************* //

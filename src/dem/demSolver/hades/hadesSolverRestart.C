@@ -105,6 +105,11 @@ void Foam::dem::hadesSolver::writeCounters(dictionary& dict) const
     control_->writeState(step);
     dict.add("stepControl", step);
 
+    if (watchdog_.valid())
+    {
+        dict.add("watchdogScale", watchdog_->scale());
+    }
+
     saved_ = true;
     if (sleepers_.valid())
     {
@@ -142,6 +147,10 @@ void Foam::dem::hadesSolver::readCounters(const dictionary& dict)
         }
     }
     control_->readState(dict.subDict("stepControl"));
+    if (watchdog_.valid())
+    {
+        watchdog_->setScale(dict.getOrDefault<scalar>("watchdogScale", 0));
+    }
     saved_ = true;
     if (sleepers_.valid())
     {

@@ -192,6 +192,7 @@ void Foam::dem::hadesSolver::updateWalls
     const scalar t1
 )
 {
+    input_.meshMoves = input_.meshMoves || moves;
     for (wall& w : walls_.change())
     {
         if (!ofMesh(w))

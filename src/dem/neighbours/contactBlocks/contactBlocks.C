@@ -243,13 +243,7 @@ Foam::dem::contactBlocks::histories() const
 
     List<pairHistory> found(n);
     n = 0;
-    for (label p = 0; p < nPlain_ + nImages_; ++p)
-    {
-        if (touches(slot(p)))
-        {
-            found[n++] = history(slot(p));
-        }
-    }
+    forEachTouching([&](const label lane) { found[n++] = history(lane); });
     return found;
 }
 

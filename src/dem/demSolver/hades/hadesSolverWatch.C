@@ -1,0 +1,316 @@
+/*---------------------------------------------------------------------------*\
+  Styx: rigid particles in OpenFOAM flows
+  Copyright (C) 2026 The Styx founders
+-------------------------------------------------------------------------------
+License
+    This file is part of Styx, which is free software: GPL-3.0-or-later,
+    without any warranty. See the file COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "hadesSolver.H"
+
+// * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Does a wall move?
+bool anyMoves(const Foam::dictionary& walls)
+{
+    for (const Foam::entry& e : walls)
+    {
+        if (e.isDict() && e.dict().found("motion"))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::dem::hadesSolver::readWatchdog()
+{
+    if (!watchdog::on(input_.dict))
+    {
+        return;
+    }
+    watchdog_.reset(new watchdog(input_.dict));
+    energyUnknown_ =
+        anyMoves(input_.dict.subOrEmptyDict("walls")) ? "a wall moves"
+      : materials_.laws().cohesion.size() ? "attraction acts"
+      : nullptr;
+    if (sinks_.size() || input_.outlets.size() || input_.period.active())
+    {
+        input_.closed = boundBox();
+    }
+}
+
+
+Foam::scalar Foam::dem::hadesSolver::storedInContacts() const
+{
+    // At rest there are no dashpots
+    bodies still(moving());
+    still.v = Zero;
+    still.omega = Zero;
+    scalar stored = 0;
+    for
+    (
+        const contactForce& c
+      : contactForces
+        (
+            contacts_,
+            materials_,
+            still,
+            list_.histories(),
+            input_.period,
+            walls_.together().accepted,
+            walls_.walls()
+        )
+    )
+    {
+        stored += max(c.normal()*c.overlap, scalar(0));
+    }
+    return group_.sum(stored);
+}
+
+
+void Foam::dem::hadesSolver::keepStart()
+{
+    const contactLaws& laws = materials_.laws();
+    const bool whole = laws.rollsBack() || laws.coheres("capillary");
+    advanceStart& s = start_;
+    s.touching.clear();
+    s.slip.clear();
+    s.state.clear();
+    if (whole && exchange_.valid())
+    {
+        s.pairs = exchange_->pairsOf(list_);
+    }
+    else if (whole)
+    {
+        s.whole = history();
+    }
+    else if (laws.slips())
+    {
+        list_.forEachTouching
+        (
+            [&](const verletList::spherePair& p, const vector& xi)
+            {
+                for (const label sphere : {p.i, p.j})
+                {
+                    if (exchange_.valid())
+                    {
+                        const sphereName name(exchange_->nameOf(sphere));
+                        s.touching.append(name.body);
+                        s.touching.append(name.sphere);
+                    }
+                    else
+                    {
+                        s.touching.append(sphere);
+                    }
+                }
+                s.touching.append(p.image);
+                s.slip.append(xi);
+            }
+        );
+    }
+    if (exchange_.valid())
+    {
+        s.touches = exchange_->touchesOf(walls_);
+    }
+    else if (!whole)
+    {
+        s.whole.walls = walls_.together().accepted;
+    }
+
+    if (input_.period.active() && !exchange_.valid())
+    {
+        s.x = state_.x;
+        s.q = state_.q;
+    }
+    s.control.clear();
+    control_->writeState(s.control);
+    if (sleepers_.valid())
+    {
+        s.asleep.reset(new sleepers(*sleepers_));
+    }
+}
+
+
+void Foam::dem::hadesSolver::goBack()
+{
+    advanceStart& s = start_;
+    if (s.x.size())
+    {
+        state_.x = s.x;
+        state_.q = s.q;
+    }
+    if (s.state.valid())
+    {
+        state_.x = s.state->x;
+        state_.v = s.state->v;
+        state_.L = s.state->L;
+        state_.omega = s.state->omega;
+        state_.q = s.state->q;
+    }
+    if (s.x.size() || s.state.valid())
+    {
+        forAll(state_.x, b)
+        {
+            state_.updateSpheres(b);
+        }
+    }
+    control_->readState(s.control);
+    if (sleepers_.valid())
+    {
+        *sleepers_ = *s.asleep;
+    }
+
+    const label nNumbers = exchange_.valid() ? 5 : 3;
+    DynamicList<verletList::pairHistory> pairs(s.slip.size());
+    DynamicList<namedPair> named(s.pairs);
+    forAll(s.slip, k)
+    {
+        const label* of = &s.touching[nNumbers*k];
+        verletList::pairHistory h;
+        h.xi = s.slip[k];
+        h.pair.image = of[nNumbers - 1];
+        if (exchange_.valid())
+        {
+            named.append
+            (
+                namedPair
+                {
+                    sphereName{of[0], of[1]}, sphereName{of[2], of[3]}, h
+                }
+            );
+        }
+        else
+        {
+            h.pair.i = of[0];
+            h.pair.j = of[1];
+            pairs.append(h);
+        }
+    }
+    if (exchange_.valid())
+    {
+        list_.setHistories
+        (
+            List<verletList::pairHistory>(), List<verletList::pairHistory>()
+        );
+        walls_.setTouches
+        (
+            List<wallTouch>(), List<wallRolled>(), List<wallTouch>()
+        );
+        exchange_->setSaved(named, s.touches);
+        exchange_->shareOut(state_, list_, walls_);
+
+        // Another rank may have a body now
+        keepStart();
+    }
+    else
+    {
+        contactHistory all(s.whole);
+        all.pairs.append(pairs);
+        setHistory(all);
+    }
+    s.state.reset(new bodies(state_));
+}
+
+
+Foam::string Foam::dem::hadesSolver::wrongIn(const scalar length)
+{
+    static const labelUList asTheyAre;
+    const bodies& start = start_.state.valid() ? *start_.state : state_;
+    report_.energyUnknown =
+        input_.meshMoves ? "the mesh moves"
+      : state_.drag ? "a drag follows the bodies"
+      : energyUnknown_;
+    return watchdog_->complaint
+    (
+        watchdog::advance
+        {
+            start,
+            start_.x.size() ? static_cast<const UList<point>&>(start_.x)
+          : start.x,
+            packed_,
+            exchange_.valid() ? exchange_->own() : asTheyAre,
+            g(),
+            length,
+            input_.period,
+            input_.closed,
+            !report_.energyUnknown,
+            walls_.walls().empty(),
+            stored_
+        }
+    );
+}
+
+
+void Foam::dem::hadesSolver::watch(const scalar t0, const scalar t1)
+{
+    stored_ = 0;
+    string wrong(wrongIn(t1 - t0));
+    const label nEntered = report_.nEntered;
+    const auto startAgain = [&]()
+    {
+        goBack();
+        report_ = advanceReport();
+        report_.nEntered = nEntered;
+        notesStored_ = true;
+    };
+    scalar pieces = max(report_.nSteps, label(1));
+    label n = 0;
+    const label nTwice = wrong.size() ? 1 : 0;
+    if (nTwice)
+    {
+        // Perhaps it is what contacts gave back
+        startAgain();
+        move(t0, t1);
+        wrong = wrongIn(t1 - t0);
+    }
+    for (; wrong.size() && n < watchdog_->halvings(); ++n)
+    {
+        pieces *= 2;
+        Info<< "demCloud: watchdog: " << wrong.c_str() << ';' << nl
+            << "    going back to " << t0 << " s and on in " << pieces
+            << " pieces" << endl;
+        startAgain();
+        scalar t = t0;
+        for (scalar i = 1; i < pieces; ++i)
+        {
+            move(t, t0 + i*(t1 - t0)/pieces);
+            t = t0 + i*(t1 - t0)/pieces;
+            unpack();
+        }
+        move(t, t1);
+        wrong = wrongIn(t1 - t0);
+    }
+    report_.energyGain = watchdog_->gain();
+    report_.nBack = n;
+    report_.nTwice = nTwice;
+
+    if (wrong.size())
+    {
+        goBack();
+        if (input_.save)
+        {
+            input_.save();
+        }
+        FatalErrorInFunction
+            << "In the step to time " << t1 << " s " << wrong.c_str() << '.'
+            << nl << "    It was gone back over " << n
+            << " times, the last time in " << pieces << " pieces." << nl
+            << "    The state before the step has been written." << nl
+            << "    See the entry watchdog in " << input_.dict.name()
+            << exit(FatalError);
+    }
+}
+
+
+// ************************************************************************* //
