@@ -316,7 +316,8 @@ void Foam::dem::bodyExchange::shareOut
 (
     bodies& own,
     verletList& list,
-    wallSet& walls
+    wallSet& walls,
+    const bool stay
 )
 {
     stopwatch watch(seconds_);
@@ -328,7 +329,12 @@ void Foam::dem::bodyExchange::shareOut
         return;
     }
 
-    const labelList to(owner_->owners(own));
+    const labelList to
+    (
+        stay
+      ? labelList(own.size(), Pstream::myProcNo())
+      : owner_->owners(own)
+    );
     bool moves = false;
     for (const label rank : to)
     {

@@ -208,10 +208,7 @@ void Foam::dem::hadesSolver::goBack()
             List<wallTouch>(), List<wallRolled>(), List<wallTouch>()
         );
         exchange_->setSaved(named, s.touches);
-        exchange_->shareOut(state_, list_, walls_);
-
-        // Another rank may have a body now
-        keepStart();
+        exchange_->shareOut(state_, list_, walls_, true);
     }
     else
     {
