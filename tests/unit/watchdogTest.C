@@ -72,16 +72,36 @@ string complaintAfter(const std::function<void(dem::bodies&)>& spoil)
 }
 
 
-//- Advances by so long to 4 ms; where the bodies are, and how they move
+//- Advances by so long to 4 ms; where the bodies are, and how they move. With
+//  a seam at x [m], if that is above 0
 List<vector> ended
 (
     const std::string& text,
     const scalar length,
     label& nTwice,
-    scalar& gain
+    scalar& gain,
+    const scalar seam = 0
 )
 {
-    demCase c(text);
+    demCase c
+    (
+        text,
+        vector(Zero),
+        List<dem::corners>(),
+        [=](dem::demInput& input)
+        {
+            if (seam > 0)
+            {
+                input.period.append
+                (
+                    dem::periodicity::seam
+                    {
+                        vector(1, 0, 0), seam, vector(0.022, 0, 0)
+                    }
+                );
+            }
+        }
+    );
     nTwice = 0;
     gain = 0;
     for (label i = 0; i < label(4e-3/length + 0.5); ++i)
@@ -222,22 +242,34 @@ TEST(watchdog, looksTwice)
         replaced(twoBalls, "stepControl { type hades; }",
             "stepControl { type contact; }")
     );
-    const std::pair<const char*, std::string> cases[] =
+    struct scene
     {
-        {"balls", twoBalls},
-        {"rolling", rolling},
-        {"clumps", clumps},
-        {"contactStep", slow}
+        const char* name;
+        std::string text;
+        scalar seam;
+    };
+    const scene cases[] =
+    {
+        {"balls", twoBalls, 0},
+        {"rolling", rolling, 0},
+        {"clumps", clumps, 0},
+        {"contactStep", slow, 0},
+        {"acrossSeam", twoBalls, 0.006},
+        {"throughSeam", twoBalls, 0.0011},
+        {"rollingThroughSeam", rolling, 0.0011}
     };
     for (const auto& c : cases)
     {
         label nTwice, none;
         scalar gain;
         const scalar length = 5e-5;
-        const List<vector> with(ended(c.second, length, nTwice, gain));
+        const List<vector> with(ended(c.text, length, nTwice, gain, c.seam));
         const List<vector> without
         (
-            ended(c.second + "watchdog off;\n", length, none, gain)
+            ended
+            (
+                c.text + "watchdog off;\n", length, none, gain, c.seam
+            )
         );
         scalar off = 0;
         forAll(with, k)
@@ -246,12 +278,12 @@ TEST(watchdog, looksTwice)
         }
         figure
         (
-            std::string("watchdog_twice_") + c.first,
+            std::string("watchdog_twice_") + c.name,
             nTwice, 1, 40, "advances made twice", "of 80"
         );
         figure
         (
-            std::string("watchdog_same_") + c.first,
+            std::string("watchdog_same_") + c.name,
             off, 0, 1e-15, "m, m/s, 1/s", "without a watchdog"
         );
     }
