@@ -19,6 +19,8 @@ Description
 #include "gtest/gtest.h"
 
 #include <cmath>
+#include <complex>
+#include <functional>
 
 using namespace styxTest;
 
@@ -196,7 +198,17 @@ namespace
 
 //- Balls between two floors that both hold them swing without end; so many,
 //  with n steps a half swing: the error that is seen over that of the scheme
-void swing(const std::string& name, const label nBalls, const scalar n)
+void swing
+(
+    const std::string& name,
+    const label nBalls,
+    const scalar n,
+    const std::string& integrator = "stormerVerlet",
+    const std::function<scalar(scalar)>& expected = [](const scalar wh)
+    {
+        return (1 - std::cos(wh))/6;
+    }
+)
 {
     const scalar k = 1e4, m = 2500*M_PI/6*1e-6;
     const scalar omega = std::sqrt(2*k/m);
@@ -222,14 +234,15 @@ void swing(const std::string& name, const label nBalls, const scalar n)
         "    high { type plane; point (0 0 0.009995);"
         " normal (0 0 -1); material s; }\n}\n"
         "stepControl { type fixed; deltaT " + text(h) + "; }\n"
+        "integrator " + integrator + ";\n"
         "bodies { " + balls + "}\n",
         Foam::Zero
     );
     run.run((nBalls > 1 ? 640 : 6400)*h);
     figureNear
     (
-        name, run.solver().stepError(), (1 - std::cos(omega*h))/6, 0.01, "-",
-        "(1 - cos(omega h))/6, closed form of the next term"
+        name, run.solver().stepError(), expected(omega*h), 0.01, "-",
+        "closed form of the term"
     );
 }
 
@@ -242,6 +255,49 @@ TEST(impulseError, swinging)
     for (const scalar n : {10, 40})
     {
         swing("impulseError_swinging_" + Foam::name(label(n)), 1, n);
+    }
+}
+
+
+// Figures "impulseError_implicitTrapezoidal", "impulseError_rk4"
+TEST(impulseError, inStages)
+{
+    // A swing v + i omega x is multiplied by A in each step, and a is i omega
+    // times it
+    typedef std::complex<double> complex;
+    const auto against = [](const std::function<complex(complex)>& factor)
+    {
+        return [=](const scalar wh)
+        {
+            const complex z(0, wh), A(factor(z));
+            return
+                std::abs(A*A - 1.0 - z/3.0*(1.0 + 4.0*A + A*A))
+               /(2*wh*std::abs(A));
+        };
+    };
+    struct scheme
+    {
+        const char* name;
+        std::function<complex(complex)> factor;
+    };
+    const scheme schemes[] =
+    {
+        {"implicitTrapezoidal", [](complex z) { return (2. + z)/(2. - z); }},
+        {
+            "rk4",
+            [](complex z)
+            {
+                return 1. + z*(1. + z/2.*(1. + z/3.*(1. + z/4.)));
+            }
+        }
+    };
+    for (const scheme& s : schemes)
+    {
+        swing
+        (
+            std::string("impulseError_") + s.name, 1, 20, s.name,
+            against(s.factor)
+        );
     }
 }
 

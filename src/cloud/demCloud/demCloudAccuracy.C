@@ -71,7 +71,7 @@ void Foam::demCloud::closeErrors()
     const scalar ofInterval =
         interval_.valid() && interval_->shows() ? interval_->meanError() : -1;
     const char* const bySteps =
-        "of the impulses, by the next term of the scheme";
+        "of the impulses, by the forces at three times in a row";
     const char* const byInterval = "half the mean change of the forces";
     const std::string seen = "errorSeen", expected = "errorExpected";
 

@@ -125,7 +125,8 @@ void Foam::dem::packedBodies::pack(const bodies& state, const vector& g)
     nSpheres_ = state.nSpheres();
     g_ = g;
     drag_ = state.drag;
-    given_.assign(drag_ && state.recordDrag ? nBodies_ : 0, Zero);
+    given_ = packedDrag();
+    given_.given.assign(drag_ && state.recordDrag ? nBodies_ : 0, Zero);
     pending_ = 0;
     motion_ = motion();
 
@@ -212,14 +213,15 @@ void Foam::dem::packedBodies::unpackPositions(bodies& state) const
 void Foam::dem::packedBodies::unpack(bodies& state) const
 {
     unpackPositions(state);
-    state.dragGiven.setSize(label(given_.size()));
+    const std::vector<vector>& given = given_.given;
+    state.dragGiven.setSize(label(given.size()));
 
     const auto end = [&](const label b, const vector& v, const vector& a)
     {
         state.v[b] = kicked(b, v, a, pending_, 0);
-        if (!given_.empty())
+        if (!given.empty())
         {
-            state.dragGiven[b] = given_[b] + state.v[b] - v - pending_*a;
+            state.dragGiven[b] = given[b] + state.v[b] - v - pending_*a;
         }
     };
 
@@ -357,16 +359,21 @@ Foam::vector Foam::dem::packedBodies::acceleration(const label b) const
 }
 
 
-Foam::vector Foam::dem::packedBodies::pushed(const label b) const
+Foam::vector Foam::dem::packedBodies::held(const label b) const
 {
     const label p = place_[b];
-    const vector held =
+    return
         p >= 0
       ? clumpForce_[p]/clumps_[p].mass
       : held_.empty()
       ? vector(Zero)
       : now_.x(-1 - p).w*vectorOf(held_[-1 - p].first);
-    return undragged(b) - g_ - held;
+}
+
+
+Foam::vector Foam::dem::packedBodies::pushed(const label b) const
+{
+    return undragged(b) - g_ - held(b);
 }
 
 

@@ -39,9 +39,9 @@ void Foam::dem::packedBodies::unpackAsleep(bodies& state) const
         state.force[b] = F + state.mass[b]*g_;
         state.torque[b] = T;
         state.v[b] = state.omega[b] = state.L[b] = Zero;
-        if (!given_.empty())
+        if (!given_.given.empty())
         {
-            state.dragGiven[b] = given_[b];
+            state.dragGiven[b] = given_.given[b];
         }
     }
 }

@@ -88,13 +88,27 @@ Foam::vector Foam::dem::packedBodies::driven
     const label b,
     const vector& v,
     const vector& a,
-    const scalar h
-)
+    const scalar h,
+    packedDrag& to
+) const
 {
     const vector now = kicked(b, v, a, pending_, h);
-    if (!given_.empty())
+    if (drag_ && (metered_ || !to.given.empty()))
     {
-        given_[b] += now - v - (pending_ + h)*a;
+        const scalar all = pending_ + h;
+        const vector given = now - v - all*a;
+        if (!to.given.empty())
+        {
+            to.given[b] += given;
+        }
+        if (metered_)
+        {
+            // Exact for a kick: half of m (now^2 - v^2) by a force is its
+            // impulse times the mean of the velocities
+            const scalar m = state_->mass[b];
+            to.impulse += m*given;
+            to.work += 0.5*m*((given + all*(g_ + held(b))) & (v + now));
+        }
     }
     return now;
 }
@@ -122,7 +136,8 @@ void Foam::dem::packedBodies::leapSingles
                     singleBody(k),
                     vectorOf(v),
                     g + mInverse*vectorOf(from.f(s)),
-                    0.5*dt
+                    0.5*dt,
+                    given_
                 ),
                 v.w
             );
@@ -193,7 +208,7 @@ void Foam::dem::packedBodies::leapClumps
             vector F, T;
             collect(from, k, c, F, T);
             const vector a = g_ + F/c.mass;
-            clumps_[k].v = driven(c.body, c.v, a, 0.5*dt);
+            clumps_[k].v = driven(c.body, c.v, a, 0.5*dt, given_);
         }
     }
 
@@ -253,12 +268,12 @@ void Foam::dem::packedBodies::leap(const scalar dt, const bool trial)
         leapSingles(now_, dt);
         leapClumps(now_, clumps_, dt);
     }
-    for (label b = 0; b < label(given_.size()) && asleep_.any(); ++b)
+    for (label b = 0; b < label(given_.given.size()) && asleep_.any(); ++b)
     {
         if (asleep_.has(b))
         {
             // The fluid loses what the contacts take up
-            given_[b] +=
+            given_.given[b] +=
                 dt/drag_->massShare(b)*drag_->acceleration(b, Zero);
         }
     }
@@ -282,7 +297,11 @@ void Foam::dem::packedBodies::undo()
 }
 
 
-Foam::dem::packedEnd Foam::dem::packedBodies::end(const label b) const
+Foam::dem::packedEnd Foam::dem::packedBodies::end
+(
+    const label b,
+    packedDrag& drag
+) const
 {
     const label k = place_[b];
     if (asleep_.has(b))
@@ -299,7 +318,7 @@ Foam::dem::packedEnd Foam::dem::packedBodies::end(const label b) const
         const vector omega(w/now_.v(s).w);
         return packedEnd
         {
-            kicked(b, vectorOf(now_.v(s)), a, pending_, 0),
+            driven(b, vectorOf(now_.v(s)), a, 0, drag),
             state_->inertia(b).x()*omega,
             omega
         };
@@ -310,7 +329,7 @@ Foam::dem::packedEnd Foam::dem::packedBodies::end(const label b) const
     const vector L(c.L + pending_*T);
     return packedEnd
     {
-        kicked(b, c.v, g_ + F/c.mass, pending_, 0),
+        driven(b, c.v, g_ + F/c.mass, 0, drag),
         L,
         angularVelocity(c.q, L, c.inertia)
     };

@@ -102,7 +102,11 @@ void Foam::dem::packedBodies::rearrange
     const bool trial = was.old_.w.size();
     old_ = trial ? now_ : records();
     oldClumps_ = trial ? clumps_ : std::vector<clump>();
-    oldGiven_ = trial ? given_ : std::vector<vector>();
+    given_.impulse = was.given_.impulse;
+    given_.work = was.given_.work;
+    oldGiven_ = trial ? given_ : packedDrag();
+    oldGiven_.impulse = was.oldGiven_.impulse;
+    oldGiven_.work = was.oldGiven_.work;
 
     const auto copy = [](const clump& from, clump& to)
     {
@@ -125,13 +129,13 @@ void Foam::dem::packedBodies::rearrange
         const label to = p < 0 ? -1 - p : clumps_[p].first;
         const label from = p < 0 ? -1 - q : was.clumps_[q].first;
         copyRecords(was.now_, from, n, now_, to);
-        if (!given_.empty())
+        if (!given_.given.empty())
         {
-            given_[b] = was.given_[former];
+            given_.given[b] = was.given_.given[former];
         }
-        if (trial && !given_.empty())
+        if (trial && !given_.given.empty())
         {
-            oldGiven_[b] = was.oldGiven_[former];
+            oldGiven_.given[b] = was.oldGiven_.given[former];
         }
         if (trial)
         {

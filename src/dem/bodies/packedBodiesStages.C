@@ -98,7 +98,7 @@ void Foam::dem::packedBodies::kick(const scalar h)
         const scalar mInverse = now_.x(s).w;
         const vector a = g_ + mInverse*vectorOf(now_.f(s));
         const vector turn = surface*h*mInverse*vectorOf(now_.t(s));
-        const vector v = driven(b, vectorOf(now_.v(s)), a, h);
+        const vector v = driven(b, vectorOf(now_.v(s)), a, h, given_);
         now_.v(s) = record(v, now_.v(s).w);
         now_.w[s] = record(vectorOf(now_.w[s]) + turn, now_.w[s].w);
         note(b, a);
@@ -110,7 +110,7 @@ void Foam::dem::packedBodies::kick(const scalar h)
         vector F, T;
         collect(now_, k, c, F, T);
         const vector a = g_ + F/c.mass;
-        c.v = driven(c.body, c.v, a, h);
+        c.v = driven(c.body, c.v, a, h, given_);
         c.L += h*T;
         place(c);
         note(c.body, a);
@@ -145,7 +145,7 @@ Foam::dem::packedBodies::slope Foam::dem::packedBodies::slopes() const
         all.clumps[k].of = {c.v, acceleration(c.body), T};
         all.clumps[k].q = 0.5*(quaternion(omega)*c.q);
     }
-    for (std::size_t b = 0; b < given_.size(); ++b)
+    for (std::size_t b = 0; b < given_.given.size(); ++b)
     {
         all.drag.push_back(acceleration(b) - undragged(b));
     }
@@ -153,10 +153,7 @@ Foam::dem::packedBodies::slope Foam::dem::packedBodies::slopes() const
 }
 
 
-void Foam::dem::packedBodies::moveBy
-(
-    const std::vector<std::pair<scalar, const slope*>>& terms
-)
+void Foam::dem::packedBodies::moveBy(const parts& terms)
 {
     for (label k = 0; k < nSingles(); ++k)
     {
@@ -194,12 +191,12 @@ void Foam::dem::packedBodies::moveBy
         note(c.body, terms.back().second->clumps[k].of.v);
     }
     spreadAll();
-    for (std::size_t b = 0; b < given_.size(); ++b)
+    for (std::size_t b = 0; b < given_.given.size(); ++b)
     {
-        given_[b] = oldGiven_[b];
+        given_.given[b] = oldGiven_.given[b];
         for (const auto& term : terms)
         {
-            given_[b] += term.first*term.second->drag[b];
+            given_.given[b] += term.first*term.second->drag[b];
         }
     }
     clearForces();

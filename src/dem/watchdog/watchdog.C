@@ -57,19 +57,31 @@ Foam::dem::watchdog::sums Foam::dem::watchdog::sumsOf(const advance& a)
 {
     const bodies& start = a.start;
     const bool turned = !start.fluidTorque.none();
+    const bool dragged = a.now.dragged();
+    packedDrag drag(a.earlier);
+    drag.impulse += a.now.given().impulse;
+    drag.work += a.now.given().work;
     sums s{};
     forAll(start.v, b)
     {
-        const packedEnd end(a.now.end(a.place(b)));
+        const packedEnd end(a.now.end(a.place(b), drag));
         const scalar m = start.mass[b];
         s.before +=
             0.5*m*magSqr(start.v[b]) + 0.5*(start.L[b] & start.omega[b]);
         s.now += 0.5*m*magSqr(end.v) + 0.5*(end.L & end.omega);
 
         const vector F = start.fluidForce[b] + m*a.g;
-        s.work += F & wayFrom(a.x[b], a.now.position(a.place(b)), a.period);
+        if (!dragged)
+        {
+            s.work +=
+                F & wayFrom(a.x[b], a.now.position(a.place(b)), a.period);
+        }
         s.gained += m*(end.v - start.v[b]);
         s.impulse += a.dt*F;
+        s.largest +=
+            0.5*m*magSqr(start.v[b])
+           *(dragged ? 1/start.drag->massShare(b) : 1)
+          + 0.5*(start.L[b] & start.omega[b]);
         s.size += m*mag(start.v[b]) + a.dt*mag(F);
         s.mass += m;
         s.given += 0.5*sqr(a.dt)*magSqr(F)/m;
@@ -84,12 +96,17 @@ Foam::dem::watchdog::sums Foam::dem::watchdog::sumsOf(const advance& a)
         }
     }
 
+    s.work += drag.work;
+    s.impulse += drag.impulse;
+    s.size += mag(drag.impulse);
+
     const rankGroup& group = a.now.group();
     for
     (
         scalar* x
       : {
-            &s.before, &s.now, &s.work, &s.slack, &s.mass, &s.given, &s.size
+            &s.before, &s.now, &s.work, &s.slack, &s.mass, &s.given, &s.size,
+            &s.largest
         }
     )
     {
@@ -129,11 +146,12 @@ Foam::string Foam::dem::watchdog::wrongBody(const advance& a)
     boundBox room(a.closed);
     const bool closed = !room.empty();
     room.inflate(SMALL);
+    packedDrag drag;
     forAll(start.v, b)
     {
         const label k = a.place(b);
         const point x(a.now.position(k));
-        const packedEnd end(a.now.end(k));
+        const packedEnd end(a.now.end(k, drag));
         const bool finite =
             std::isfinite(x.x() + x.y() + x.z())
          && std::isfinite(magSqr(end.v) + magSqr(end.L));
@@ -161,7 +179,7 @@ Foam::string Foam::dem::watchdog::wrongEnergy(const advance& a, const sums& s)
     // A bed at rest trembles: energy is seen against what lifts it by a radius
     const scalar lift =
         s.mass*(mag(a.g)*a.now.minRadius() + 0.5*sqr(slowest(a)));
-    scale_ = max(scale_, max(max(s.before, mag(s.work)), max(s.given, lift)));
+    scale_ = max(scale_, max(max(s.largest, mag(s.work)), max(s.given, lift)));
     gain_ = max
     (
         (s.now - s.before - s.work - s.slack - a.stored)/max(scale_, VSMALL),

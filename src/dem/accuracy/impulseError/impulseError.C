@@ -41,8 +41,36 @@ void Foam::dem::impulseError::copy
     a.resize(chosen_.size());
     forAll(chosen_, i)
     {
-        a[i] = state.pushed(chosen_[i]);
+        a[i] =
+            inStages_
+          ? state.acceleration(chosen_[i])
+          : state.pushed(chosen_[i]);
     }
+}
+
+
+Foam::scalar Foam::dem::impulseError::off
+(
+    const packedBodies& state,
+    const label i,
+    const scalar h
+) const
+{
+    const label b = chosen_[i];
+    if (!inStages_)
+    {
+        const vector bend =
+            2/(h1_ + h)*((state.pushed(b) - a1_[i])/h - (a1_[i] - a0_[i])/h1_);
+        return h1_*h/12*mag(bend);
+    }
+    const scalar both = h1_ + h;
+    const vector mean =
+    (
+        (2 - h/h1_)*a0_[i]
+      + sqr(both)/(h1_*h)*a1_[i]
+      + (2 - h1_/h)*state.acceleration(b)
+    )/6;
+    return mag((state.velocity(b) - v0_[i])/both - mean);
 }
 
 
@@ -65,6 +93,14 @@ void Foam::dem::impulseError::step
     {
         choose(state, id, nIds);
         copy(state, a0_);
+        if (inStages_)
+        {
+            v0_.resize(chosen_.size());
+            forAll(chosen_, i)
+            {
+                v0_[i] = state.velocity(chosen_[i]);
+            }
+        }
         return;
     }
     if (chosen_.empty() || chosen_.last() >= state.size())
@@ -90,13 +126,7 @@ void Foam::dem::impulseError::step
     }
     forAll(chosen_, i)
     {
-        const vector bend =
-            2/(h1_ + h)
-           *(
-                (state.pushed(chosen_[i]) - a1_[i])/h
-              - (a1_[i] - a0_[i])/h1_
-            );
-        error_ += h1_*h/12*mag(bend);
+        error_ += off(state, i, h);
     }
     whole_ += size_;
     ++nSamples_;

@@ -434,6 +434,10 @@ void Foam::dem::hadesSolver::advance(const scalar t0, const scalar t1)
         watch(t0, t1);
     }
     unpack();
+    for (std::size_t b = 0; b < start_.drag.given.size(); ++b)
+    {
+        state_.dragGiven[b] += start_.drag.given[b];
+    }
     checkFinite(t1);
     report_.overlap = group_.max(report_.overlap);
     report_.nContacts = nContacts();

@@ -73,10 +73,7 @@ void Foam::dem::hadesSolver::readSinks()
 Foam::autoPtr<Foam::dem::stepControl>
 Foam::dem::hadesSolver::chooseControl()
 {
-    if (integrator_->leaps())
-    {
-        impulse_.reset(new impulseError(g()));
-    }
+    impulse_.reset(new impulseError(g(), !integrator_->leaps()));
     if (!(input_.contactError > 0))
     {
         return stepControl::New(input_.dict.subDict("stepControl"));

@@ -40,6 +40,7 @@ void Foam::dem::hadesSolver::readWatchdog()
         return;
     }
     watchdog_.reset(new watchdog(input_.dict));
+    packed_.meterDrag();
     energyUnknown_ =
         anyMoves(input_.dict.subOrEmptyDict("walls")) ? "a wall moves"
       : materials_.laws().cohesion.size() ? "attraction acts"
@@ -226,7 +227,8 @@ Foam::string Foam::dem::hadesSolver::wrongIn(const scalar length)
     const bodies& start = start_.state.valid() ? *start_.state : state_;
     report_.energyUnknown =
         input_.meshMoves ? "the mesh moves"
-      : state_.drag ? "a drag follows the bodies"
+      : state_.drag && !integrator_->leaps()
+      ? "a drag follows the bodies between stages"
       : energyUnknown_;
     return watchdog_->complaint
     (
@@ -243,20 +245,46 @@ Foam::string Foam::dem::hadesSolver::wrongIn(const scalar length)
             input_.closed,
             !report_.energyUnknown,
             walls_.walls().empty(),
-            stored_
+            stored_,
+            start_.drag
         }
     );
+}
+
+
+void Foam::dem::hadesSolver::endPiece()
+{
+    if (packed_.dragged())
+    {
+        packedDrag piece;
+        piece.impulse = packed_.given().impulse;
+        piece.work = packed_.given().work;
+        for (label b = 0; b < nBodies(); ++b)
+        {
+            packed_.end(exchange_.valid() ? exchange_->own()[b] : b, piece);
+        }
+        start_.drag.impulse += piece.impulse;
+        start_.drag.work += piece.work;
+    }
+    unpack();
+    start_.drag.given.resize(state_.dragGiven.size(), Zero);
+    forAll(state_.dragGiven, b)
+    {
+        start_.drag.given[b] += state_.dragGiven[b];
+    }
 }
 
 
 void Foam::dem::hadesSolver::watch(const scalar t0, const scalar t1)
 {
     stored_ = 0;
+    start_.drag = packedDrag();
     string wrong(wrongIn(t1 - t0));
     const label nEntered = report_.nEntered;
     const auto startAgain = [&]()
     {
         goBack();
+        start_.drag = packedDrag();
         report_ = advanceReport();
         report_.nEntered = nEntered;
         notesStored_ = true;
@@ -283,7 +311,7 @@ void Foam::dem::hadesSolver::watch(const scalar t0, const scalar t1)
         {
             move(t, t0 + i*(t1 - t0)/pieces);
             t = t0 + i*(t1 - t0)/pieces;
-            unpack();
+            endPiece();
         }
         move(t, t1);
         wrong = wrongIn(t1 - t0);
