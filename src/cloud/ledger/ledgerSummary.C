@@ -87,6 +87,7 @@ void Foam::ledger::writeWords
     const scalar kinetic
 ) const
 {
+    const int digits = os.precision(4);
     os  << nl << "demCloud: summary" << nl
         << "    " << nFluidSteps_ << " fluid steps, " << nSteps_
         << " steps of the bodies, " << nRejected_ << " more undone" << nl;
@@ -166,6 +167,7 @@ void Foam::ledger::writeWords
     os  << "    This ledger itself: " << nBooked_ << " bookings of "
         << 1e9*one << " ns, " << 100*nBooked_*one/all << " % of the time"
         << nl << endl;
+    os.precision(digits);
 }
 
 
