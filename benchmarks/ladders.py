@@ -12,9 +12,12 @@
 #         rows = accuracy(case, "-quantity", "mean position z", "-knob", ...)
 #         save("skin", "what the case is", "the columns", rows)
 #         draw("skin", "x", "y", [("label", [(x, y, "text"), ...])])
+#         seconds = timed(case, "demFoam")    of the processor, for one run
 #------------------------------------------------------------------------------
 import os
 import subprocess
+
+from cloudCase import runIn
 
 styx = os.environ["STYX_DIR"]
 pages = styx + "/doc/accuracy"
@@ -28,6 +31,14 @@ def accuracy(case, *arguments):
                         *arguments], stdout=log, stderr=log, check=True)
     with open(case + "/styxAccuracy/accuracy.dat") as stream:
         return [line.split() for line in stream if line[0] != "#"]
+
+
+def timed(case, program):
+    before = os.times()
+    runIn(case, program)
+    after = os.times()
+    return (after.children_user + after.children_system
+            - before.children_user - before.children_system)
 
 
 def save(name, title, head, rows):
