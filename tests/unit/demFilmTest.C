@@ -330,4 +330,133 @@ TEST(demFilm, movingWall)
 }
 
 
+TEST(demFilm, comesIn)
+{
+    // Between two advances: thrown at the floor, and at another ball
+    const auto film = [](const bool there)
+    {
+        Foam::dictionary none;
+        Foam::dem::demInput input(none);
+        if (there)
+        {
+            liquid(input);
+        }
+        return input.film;
+    };
+    const std::string bodies
+    (
+        body("a", "ball", {0, 0, 2.5*r}, {0, 0, -0.5})
+      + body("b", "large", {20*r, 0, 20*r}, {0, 0, 0})
+      + body("c", "ball", {20*r, 0, 25.5*r}, {0, 0, -0.5})
+    );
+    demCase always(balls(bodies, plane), Foam::Zero, none, liquid);
+    demCase later(balls(bodies, plane));
+    const auto advance = [&](const label n)
+    {
+        for (label k = 0; k < n; ++k)
+        {
+            always.run(1e-5);
+            later.run(1e-5);
+        }
+    };
+    const auto apart = [&]()
+    {
+        scalar most = 0;
+        for (label b = 0; b < 3; ++b)
+        {
+            most = std::max
+            (
+                most, mag(always.state().v[b] - later.state().v[b])/0.5
+            );
+        }
+        return most;
+    };
+    advance(50);
+    later.solver().setFilm(film(true));
+    advance(250);
+    figure
+    (
+        "film_comesIn", apart(), 0, 1e-14, "of the velocity",
+        "as one that was there from the start"
+    );
+    figure
+    (
+        "film_acts", 1 + always.state().v[0].z()/0.5, 0.1, 1, "-",
+        "of its velocity, which the film took"
+    );
+
+    const vector v = later.state().v[0];
+    const scalar l = later.state().x[0].z() - r;
+    later.solver().setFilm(film(false));
+    later.run(0.5*l/mag(v));
+    figure
+    (
+        "film_goesOff", mag(later.state().v[0] - v)/mag(v), 0, 0, "-",
+        "no force in a gap that had a film"
+    );
+}
+
+
+TEST(demFilm, contactsStay)
+{
+    // A ball slides on the floor and pushes another; a film that is too thin
+    // to act, which comes in and goes off, must not be seen
+    const std::string dict
+    (
+        "demSolver hades;\n"
+        "materials\n{\n    rock { density 2000; youngsModulus 1e7;"
+        " poissonsRatio 0.3; }\n"
+        "    board { youngsModulus 1e7; poissonsRatio 0.3; }\n}\n"
+        "pairs { rock-rock { restitution 0.5; friction 0.4; }"
+        " rock-board { restitution 0.5; friction 0.4; } }\n"
+        "shapes { ball { type sphere; diameter 0.002; } }\n"
+        "stepControl { type hades; }\n"
+        "walls { " + plane + " }\nbodies\n{\n"
+      + body("a", "ball", {0, 0, r}, {0.02, 0, 0})
+      + body("b", "ball", {2*r, 0, r}, {0, 0, 0}) + "}\n"
+    );
+    demCase plain(dict, gravity), changed(dict, gravity);
+    Foam::dem::squeezedFilm film;
+    film.viscosity = mu;
+    film.roughness = 1e-12;
+    film.range = 1e-9;
+    scalar slip = 0;
+    for (label n = 0; n < 60; ++n)
+    {
+        if (n % 10 == 5)
+        {
+            changed.solver().setFilm
+            (
+                n % 20 == 5 ? film : Foam::dem::squeezedFilm()
+            );
+        }
+        plain.run(1e-4);
+        changed.run(1e-4);
+        const Foam::dem::contactHistory h(changed.solver().history());
+        for (const Foam::dem::wallTouch& t : h.walls)
+        {
+            slip = std::max(slip, mag(t.xi));
+        }
+    }
+    scalar most = 0;
+    for (label b = 0; b < 2; ++b)
+    {
+        most = std::max
+        (
+            most, mag(plain.state().x[b] - changed.state().x[b])
+        );
+    }
+    figure
+    (
+        "film_contactsStay", most, 0, 0, "m",
+        "contacts remember what they did"
+    );
+    figure
+    (
+        "film_contactsSlip", slip, 1e-12, 1, "m",
+        "elastic slip, which they remember"
+    );
+}
+
+
 // ************************************************************************* //

@@ -87,25 +87,20 @@ bool densityIsField(const Foam::dictionary& properties)
 }
 
 
-//- Say that a film is called for which nobody knows the roughness for
+//- Say that a film is called for which cannot be
 void adviseFilm
 (
     const Foam::dictionary& properties,
+    const Foam::fvMesh& mesh,
     const Foam::effectTable& table
 )
 {
-    bool named = properties.subOrEmptyDict("effects").found("roughness");
-    for (const char* block : {"forces", "immersed"})
-    {
-        named =
-            named || properties.subOrEmptyDict(block).found("lubrication");
-    }
-    if (table.on("lubrication") && !named)
+    const Foam::string why = Foam::earlyChoice::noFilm(properties, mesh);
+    if (table.on("lubrication") && why.size())
     {
         Foam::Info
-            << "    Advice: lubrication is called for, and is left out, as the"
-            << " roughness of the surfaces decides what it does: effects {"
-            << " type auto; roughness 1e-6; }" << Foam::nl;
+            << "    Advice: lubrication is called for, and is left out, as "
+            << why.c_str() << Foam::nl;
     }
 }
 
@@ -225,7 +220,10 @@ void Foam::demCloud::chooseEffects
     }
     if (inFluid)
     {
-        adviseFilm(dict_, table);
+        if (!effects_.namesFilm)
+        {
+            adviseFilm(dict_, mesh_, table);
+        }
         adviseMesh(table);
         chosen_.merge
         (
@@ -271,11 +269,7 @@ Foam::wordList Foam::demCloud::freeEffects(const fluidAccess access) const
         names.append("exchange");
     }
     names.append("contacts");
-    if
-    (
-        !forces.found("lubrication") && !forces.found("coarseGraining")
-     && !dict_.subOrEmptyDict("immersed").found("lubrication")
-    )
+    if (!effects_.namesFilm && !forces.found("coarseGraining"))
     {
         names.append("lubrication");
     }
@@ -309,7 +303,10 @@ void Foam::demCloud::startWatch
                 )
             )
          || (name == "dispersion" && !sceneFluid::turbulent(mesh_))
-         || (name == "lubrication" && densityIsField(dict_));
+         || (
+                name == "lubrication"
+             && (densityIsField(dict_) || coupling_ == "particlesToFluid")
+            );
         if ((points || name == "contacts") && !stays)
         {
             effectWatch_->add(name, table && table->on(name));
@@ -318,6 +315,19 @@ void Foam::demCloud::startWatch
     if (!table)
     {
         effectWatch_->setState(saved);
+    }
+    if
+    (
+        effectWatch_->watches("lubrication")
+     && earlyChoice::noFilm(dict_, mesh_).empty()
+    )
+    {
+        // A roughness may have been given since it was called for
+        const bool acts = dict_.subOrEmptyDict("forces").found("lubrication");
+        if (effectWatch_->on("lubrication") != acts)
+        {
+            effectWatch_->add("lubrication", acts);
+        }
     }
     if (effectWatch_->watches("contacts") && !effectWatch_->on("contacts"))
     {

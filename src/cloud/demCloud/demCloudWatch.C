@@ -9,8 +9,9 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "demCloud.H"
-#include "effectChoice.H"
+#include "earlyChoice.H"
 #include "effectLaws.H"
+#include "lubrication.H"
 #include "sceneSurvey.H"
 
 #include <cmath>
@@ -93,6 +94,18 @@ Foam::HashTable<Foam::scalar> Foam::demCloud::pointShares
       ? sceneSurvey::crowd(state, max(3*largest, meanCell_), solid)
       : n.meanFraction;
 
+    // A film that is off is looked at as long as it may be near its bar
+    const word film(coupling::lubrication::name);
+    const bool squeezes =
+        watch.watches(film)
+     && (thorough || (watch.near(film) && !watch.on(film)));
+    if (squeezes && state.size() <= 200)
+    {
+        n.gap = sceneSurvey::smallestGap(state);
+        n.until =
+            mesh_.time().deltaTValue()*effects_.interval
+           *(interval_.valid() ? interval_->steps() : 1);
+    }
     n.turbulent = watch.watches("dispersion");
     sceneNumbers falls;
     const List<coupling::fluidAtPoint>& fluid = points_->sampled();
@@ -115,9 +128,9 @@ Foam::HashTable<Foam::scalar> Foam::demCloud::pointShares
         n.epsilon = f.epsilon;
         for (const effectLaw& law : effectLaws::all())
         {
-            const bool film = law.name == word("lubrication");
+            const bool squeeze = law.name == film;
             const bool crowded =
-                film || law.name == word("contacts")
+                squeeze || law.name == word("contacts")
              || law.name == word("denseDrag");
 
             // What is not sampled, or takes long; without gravity nothing is
@@ -126,11 +139,11 @@ Foam::HashTable<Foam::scalar> Foam::demCloud::pointShares
                 (
                     !thorough
                  && (
-                        film || law.name == word("saffman")
+                        law.name == word("saffman")
                      || law.name == word("dispersion")
                     )
                 )
-             || (film && !(n.g > 0));
+             || (squeeze && !(squeezes && n.g > 0));
             if
             (
                 watch.watches(law.name) && law.asked(n) && !curled
@@ -141,7 +154,7 @@ Foam::HashTable<Foam::scalar> Foam::demCloud::pointShares
                 share = max
                 (
                     share,
-                    law.share(film ? impact(n, falls) : n, effects_.target)
+                    law.share(squeeze ? impact(n, falls) : n, effects_.target)
                 );
             }
         }
@@ -200,27 +213,29 @@ void Foam::demCloud::switchEffects(const HashTable<scalar>& shares)
     for (const word& name : effectWatch_->judge(shares))
     {
         const bool on = effectWatch_->on(name);
-        // The lists of neighbours and the steps are made for a film or not
-        const bool said = name == "lubrication";
+        const string why
+        (
+            name == coupling::lubrication::name
+          ? earlyChoice::noFilm(dict_, mesh_)
+          : string()
+        );
         Info<< "demCloud: effect " << name
             << (
-                   said
+                   why.size()
                  ? (on ? " called for" : " no longer called for")
                  : (on ? " switched on" : " switched off")
                )
             << " at time " << mesh_.time().value()
             << " s: its share is " << 100*effectWatch_->share(name)
             << " %, the target " << 100*effects_.target << " %" << endl;
-        if (said && on)
-        {
-            Info<< "    Advice: a film cannot come in while bodies move. Give"
-                << " forces { lubrication { roughness 1e-6; } }, with that of"
-                << " the surfaces, and go on from a time that is written."
-                << endl;
-        }
-        if (!said)
+        if (why.empty())
         {
             switchEffect(name, on);
+        }
+        else if (on)
+        {
+            Info<< "    Advice: it is left out, as " << why.c_str()
+                << ", and go on from a time that is written" << endl;
         }
     }
 }
@@ -242,10 +257,32 @@ void Foam::demCloud::switchForce(const word& name, const bool on)
         forces.add(name, memory);
         chosen.add(name, memory);
     }
+    else if (on && name == coupling::lubrication::name)
+    {
+        dictionary film(forces, dictionary());
+        film.name() = fileName(forces.name() + '.' + name);
+        film.add
+        (
+            "roughness",
+            dict_.subDict("effects").get<scalar>("roughness")
+        );
+        forces.add(name, film);
+        chosen.add(name, film);
+    }
     else if (on)
     {
         forces.add(name, word("yes"));
         chosen.add(name, word("yes"));
+    }
+    if (name == coupling::lubrication::name)
+    {
+        dem_->setFilm
+        (
+            on
+          ? coupling::lubrication::read(mesh_, dict_.subDict("fluid"), forces)
+          : dem::squeezedFilm()
+        );
+        return;
     }
     points_->setForce(name, forces);
 }

@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "earlyChoice.H"
+#include "fluidViscosity.H"
 
 #include <cmath>
 
@@ -221,6 +222,39 @@ void Foam::earlyChoice::judgeRest
 }
 
 
+Foam::string Foam::earlyChoice::noFilm
+(
+    const dictionary& properties,
+    const fvMesh& mesh
+)
+{
+    string why;
+    if (!properties.subOrEmptyDict("effects").found("roughness"))
+    {
+        why =
+            "the roughness of the surfaces decides what it does: effects {"
+            " type auto; roughness 1e-6; }";
+    }
+    else if (properties.found("sleeping"))
+    {
+        why =
+            "a body asleep would not wake up when a film pushes it: take"
+            " sleeping out";
+    }
+    else if
+    (
+        !properties.subOrEmptyDict("fluid").found("nu")
+     && !(coupling::fluidViscosity::entry(mesh) > 0)
+    )
+    {
+        why =
+            "its liquid has one viscosity, which nobody has given: nu in the"
+            " dictionary fluid";
+    }
+    return why;
+}
+
+
 Foam::dictionary Foam::earlyChoice::choose
 (
     dictionary& properties,
@@ -241,7 +275,7 @@ Foam::dictionary Foam::earlyChoice::choose
         added.add("sleeping", sleeping);
     }
     const dictionary& effects = properties.subOrEmptyDict("effects");
-    if (effects.found("roughness"))
+    if (effects.found("roughness") && !properties.found("sleeping"))
     {
         chooseFilm
         (

@@ -16,6 +16,12 @@ License
 
 Foam::effectInput::effectInput(const dictionary& properties)
 {
+    for (const char* block : {"forces", "immersed"})
+    {
+        namesFilm =
+            namesFilm || properties.subOrEmptyDict(block).found("lubrication");
+    }
+
     // An effect that is left out may be as large as the error that is wanted
     target = properties.getOrDefault<scalar>("accuracy", target);
 

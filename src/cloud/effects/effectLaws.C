@@ -151,10 +151,8 @@ typedef const sceneNumbers& scene;
     scalar softImpact(scene n)
     {
         // A film matters where bodies meet at all
-        return
-            n.nBodies > 1 && n.fraction > 2e-4
-          ? 1/max(n.impactStokes(), VSMALL)
-          : 0;
+        const scalar meets = n.meets();
+        return meets > 0 ? meets/max(n.impactStokes(), VSMALL) : 0;
     }
 
     scalar cellsOverDiameter(scene n)
@@ -264,7 +262,8 @@ const std::vector<effectLaw> laws
         "thesis ch. 9", "new cells when bodies move"
     },
     {
-        "contacts", "solid fraction", fraction, 1e-3, inFluid, map,
+        "contacts", "solid fraction", fraction, sceneNumbers::often, inFluid,
+        map,
         "pairs, small steps while they touch"
     },
     {

@@ -41,7 +41,7 @@ Foam::effectWatch::effectWatch(const effectInput& input)
 
 void Foam::effectWatch::add(const word& name, const bool on)
 {
-    effects_.set(name, effect{on});
+    effects_.set(name, effect{on, 0, watches(name) ? share(name) : 0});
 }
 
 

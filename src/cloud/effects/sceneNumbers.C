@@ -114,6 +114,20 @@ Foam::scalar Foam::sceneNumbers::impactStokes() const
 }
 
 
+Foam::scalar Foam::sceneNumbers::meets() const
+{
+    if (!(nBodies > 1))
+    {
+        return 0;
+    }
+    const scalar part =
+        until > 0
+      ? (slip*until + 0.25*d)/max(gap, VSMALL)
+      : fraction/often;
+    return min(part, scalar(1));
+}
+
+
 Foam::scalar Foam::sceneNumbers::loading() const
 {
     return

@@ -381,16 +381,7 @@ Foam::dem::hadesSolver::hadesSolver(const demInput& input)
     list_.setLanes(contacts_.nLanes());
     list_.setMemory(laws.slips(), true, laws.rollsBack());
     walls_.setMemory(laws.rollsBack());
-    const sweepLaws& named = contacts_.laws();
-    if
-    (
-        !named.rolls() && !named.coheres && !named.shares && !named.reaches()
-    )
-    {
-        walls_.activatePlanes(contacts_.nLanes(), laws.slips());
-    }
-    list_.setReach(materials_.reach(), materials_.reachPerRadius());
-    walls_.setReach(materials_.reach(), materials_.reachPerRadius());
+    hadesSolver::setFilm(laws.film);
     list_.setPeriodicity(input_.period);
     walls_.setPeriodicity(input_.period);
     readWalls();

@@ -370,4 +370,29 @@ void Foam::dem::hadesSolver::setMeets(const bool meets, const bool restart)
 }
 
 
+void Foam::dem::hadesSolver::setFilm(const squeezedFilm& film)
+{
+    // What touches and what it remembers stays, what is near is found anew
+    list_.drop();
+    materials_.setFilm(squeezedFilm(film));
+    contacts_.setFilm(materials_.laws().film);
+
+    const sweepLaws& laws = contacts_.laws();
+    if (laws.rolls() || laws.coheres || laws.shares || laws.reaches())
+    {
+        walls_.deactivatePlanes();
+    }
+    else
+    {
+        walls_.activatePlanes
+        (
+            contacts_.nLanes(),
+            materials_.laws().slips()
+        );
+    }
+    list_.setReach(materials_.reach(), materials_.reachPerRadius());
+    walls_.setReach(materials_.reach(), materials_.reachPerRadius());
+}
+
+
 // ************************************************************************* //
