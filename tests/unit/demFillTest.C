@@ -79,11 +79,11 @@ scalar smallestGap(const bodies& state, const periodicity& period)
                 continue;
             }
             const scalar sum = state.sphereR[i] + state.sphereR[j];
-            const vector way = state.sphereX[i] - state.sphereX[j];
+            const vector way = state.sphereX()[i] - state.sphereX()[j];
             gap = Foam::min(gap, mag(way)/sum - 1);
             period.forEachImage
             (
-                state.sphereX[i],
+                state.sphereX()[i],
                 Foam::GREAT,
                 [&](const label image)
                 {
@@ -218,8 +218,9 @@ TEST(demFill, clumps)
     for (label s = 0; s < state.nSpheres(); ++s)
     {
         const scalar r = state.sphereR[s];
-        EXPECT_LE(mag(state.sphereX[s] - point(0, 0, 0.08)), 0.08 - r + 1e-12);
-        EXPECT_GE(state.sphereX[s].z(), 0.05 + r - 1e-12);
+        const point& x = state.sphereX()[s];
+        EXPECT_LE(mag(x - point(0, 0, 0.08)), 0.08 - r + 1e-12);
+        EXPECT_GE(x.z(), 0.05 + r - 1e-12);
     }
     EXPECT_GE(smallestGap(state, periodicity()), 0);
 }

@@ -180,7 +180,7 @@ TEST(demGenerator, waitsForRoom)
             {
                 EXPECT_GE
                 (
-                    mag(state.sphereX[i] - state.sphereX[j]),
+                    mag(state.sphereX()[i] - state.sphereX()[j]),
                     state.sphereR[i] + state.sphereR[j]
                 );
             }
@@ -249,13 +249,13 @@ TEST(demGenerator, fileOfBodies)
         mag(b.x[0] - point(0, 0, 0.01)) + mag(b.x[1] - point(0.01, 0.02, 0.03))
       + mag(b.v[0] - vector(1, 2, 3)) + std::abs(b.sphereR[0] - 0.002)
       + std::abs(b.mass[1]/(1000*volume) - 1)
-      + std::abs((b.sphereX[2] - b.sphereX[1]).x()),
+      + std::abs((b.sphereX()[2] - b.sphereX()[1]).x()),
         0,
         1e-12,
         "SI",
         "places, velocity, size, mass and rotation as in the file"
     );
-    EXPECT_GT((b.sphereX[2] - b.sphereX[1]).y(), 0);
+    EXPECT_GT((b.sphereX()[2] - b.sphereX()[1]).y(), 0);
 
     const auto says = [&](const std::string& lines, const std::string& entries)
     {

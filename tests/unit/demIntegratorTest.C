@@ -315,7 +315,7 @@ TEST(demIntegrator, orientationOfTheUser)
     {
         const vector d = spheres[i].first() - list[0].centreOfMass();
         const point expected = n.position + vector(-d.y(), d.x(), d.z());
-        EXPECT_LT(mag(state.sphereX[i] - expected), 1e-14);
+        EXPECT_LT(mag(state.sphereX()[i] - expected), 1e-14);
     }
     EXPECT_LT
     (

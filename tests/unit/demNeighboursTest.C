@@ -91,7 +91,7 @@ pairSet bruteForce(const bodies& state, const scalar skin)
             if
             (
                 state.sphereBody[i] != state.sphereBody[j]
-             && mag(state.sphereX[i] - state.sphereX[j])
+             && mag(state.sphereX()[i] - state.sphereX()[j])
               < state.sphereR[i] + state.sphereR[j] + skin
             )
             {
@@ -228,7 +228,7 @@ TEST(demNeighbours, histories)
     const auto touches = [&](const verletList::spherePair& p)
     {
         return
-            mag(state.sphereX[p.i] - state.sphereX[p.j])
+            mag(state.sphereX()[p.i] - state.sphereX()[p.j])
           < state.sphereR[p.i] + state.sphereR[p.j];
     };
 

@@ -353,7 +353,7 @@ TEST(demPeriodic, bruteForce)
                 continue;
             }
             const vector d =
-                state.sphereX[i] - state.sphereX[j]
+                state.sphereX()[i] - state.sphereX()[j]
               - input.period.shift(turns);
             if (mag(d) < reach)
             {

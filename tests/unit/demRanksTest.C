@@ -265,7 +265,7 @@ TEST(demRanks, record)
         off = Foam::max
         (
             off,
-            mag(part.sphereX[3 + s] - all.sphereX[all.firstSphere[3] + s])
+            mag(part.sphereX()[3 + s] - all.sphereX()[all.firstSphere[3] + s])
         );
     }
     figure("ranks_record", off, 0, 0, "m", "spheres of a body that was sent");

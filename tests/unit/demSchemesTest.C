@@ -181,7 +181,10 @@ vector turned(const std::string& name, const label n)
 {
     oneBody b(true);
     bodies& s = b.state();
-    s.q[0] = Foam::quaternion(vector(1, 2, 3)/std::sqrt(14.0), scalar(0.7));
+    s.q.set
+    (
+        0, Foam::quaternion(vector(1, 2, 3)/std::sqrt(14.0), scalar(0.7))
+    );
     s.L[0] = vector(2, 3, 1);
     s.update();
     b.run

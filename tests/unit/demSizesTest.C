@@ -231,7 +231,7 @@ TEST(demSizes, drawn)
         ASSERT_NEAR(state.mass[b]/(2500*M_PI/6*d*d*d), 1, 1e-12);
         ASSERT_NEAR(state.sphereR[2*b]/(0.004*factor), 1, 1e-12);
         ASSERT_NEAR(
-            mag(state.sphereX[2*b] - state.sphereX[2*b + 1])/(0.004*factor),
+            mag(state.sphereX()[2*b] - state.sphereX()[2*b + 1])/(0.004*factor),
             1, 1e-10);
         ASSERT_NEAR
         (

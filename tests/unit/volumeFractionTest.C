@@ -95,7 +95,7 @@ scalar sampled
                 {
                     if
                     (
-                        magSqr(p - state.sphereX[s]) < sqr(state.sphereR[s])
+                        magSqr(p - state.sphereX()[s]) < sqr(state.sphereR[s])
                     )
                     {
                         ++n;

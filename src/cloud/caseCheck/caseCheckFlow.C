@@ -77,7 +77,7 @@ void Foam::caseCheck::checkGaps()
     scalar gap = 0;
     dem::sizeLevels
     (
-        state.sphereX,
+        state.sphereX(),
         scalarField(state.sphereR + 0.5*cell),
         0
     ).forEachPair
@@ -85,7 +85,7 @@ void Foam::caseCheck::checkGaps()
         [&](const label i, const label j)
         {
             const scalar g =
-                mag(state.sphereX[i] - state.sphereX[j])
+                mag(state.sphereX()[i] - state.sphereX()[j])
               - state.sphereR[i] - state.sphereR[j];
             const scalar part = g/min(cell[i], cell[j]);
             if

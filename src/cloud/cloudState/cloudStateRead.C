@@ -77,7 +77,7 @@ void readBodies
         state.setNextId(saved.id[b]);
         state.append(n);
 
-        state.q[b] = q;
+        state.q.set(b, q);
         state.L[b] = L[b];
         state.omega[b] = omega[b];
         state.updateSpheres(b);

@@ -202,7 +202,7 @@ List<dem::wallTouch> readWallBridges
                 w >= 0 && w < savedWalls.size()
               ? walls.find(savedWalls[w])
               : -1;
-            t.p = state.sphereX[t.sphere];
+            t.p = state.sphereX()[t.sphere];
             t.n = normal[n];
             if (t.wallI >= 0)
             {

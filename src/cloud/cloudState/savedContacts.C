@@ -195,7 +195,7 @@ List<dem::wallTouch> readWalls
             dem::wallTouch t;
             t.sphere = sphereOf(state, b, spheres[b][2*k], saved, name);
             t.wallI = wallI;
-            t.p = state.sphereX[t.sphere];
+            t.p = state.sphereX()[t.sphere];
             t.n = normal[b][k];
             t.overlap = 0;
             t.xi = slip[b][k];

@@ -67,7 +67,7 @@ void Foam::demCloud::putSpheres(Writer& out) const
     {
         const label b = state.sphereBody[s];
         body[s] = state.id[b];
-        velocity[s] = state.velocityAt(b, state.sphereX[s]);
+        velocity[s] = state.velocityAt(b, state.sphereX()[s]);
         diameter[s] = 2*state.sphereR[s];
     }
     out.write("body", body);
@@ -115,7 +115,7 @@ void Foam::demCloud::writeSpheres() const
         mesh_,
         bins_,
         "demCloudSpheres",
-        dem_->state().sphereX,
+        dem_->state().sphereX(),
         dem_->group(),
         nullptr
     );
@@ -149,7 +149,7 @@ void Foam::demCloud::writeVtp() const
     putBodies(bodies);
     bodies.save(folder/vtpFile::partName("demCloud"));
 
-    vtpFile spheres(dem_->state().sphereX);
+    vtpFile spheres(dem_->state().sphereX());
     putSpheres(spheres);
     spheres.save(folder/vtpFile::partName("demCloudSpheres"));
 

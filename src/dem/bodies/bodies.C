@@ -40,17 +40,18 @@ void gather
 }
 
 
-void gather
+template<class Held, class Type>
+void gatherHeld
 (
-    Foam::dem::heldVectors& held,
+    Held& held,
     const Foam::labelUList& from,
     const Foam::UList<Foam::dem::bodyRecord>& others,
-    Foam::vector Foam::dem::bodyRecord::* const member
+    Type Foam::dem::bodyRecord::* const member
 )
 {
-    const Foam::dem::heldVectors& before = held;
+    const Held& before = held;
     const Foam::label n = held.size();
-    Foam::dem::heldVectors taken;
+    Held taken;
     for (const Foam::label k : from)
     {
         taken.append(k < n ? before[k] : others[k - n].*member);
@@ -115,7 +116,7 @@ void Foam::dem::bodies::setState(const label b, const bodyRecord& r)
 {
     x[b] = r.x;
     v[b] = r.v;
-    q[b] = r.q;
+    q.set(b, r.q);
     L[b] = r.L;
     omega[b] = r.omega;
     force[b] = r.force;
@@ -189,18 +190,19 @@ void Foam::dem::bodies::take
     gather(mass, from, others, &bodyRecord::mass);
     gather(x, from, others, &bodyRecord::x);
     gather(v, from, others, &bodyRecord::v);
-    gather(q, from, others, &bodyRecord::q);
+    gatherHeld(q, from, others, &bodyRecord::q);
     gather(L, from, others, &bodyRecord::L);
     gather(omega, from, others, &bodyRecord::omega);
     gather(force, from, others, &bodyRecord::force);
     gather(torque, from, others, &bodyRecord::torque);
-    gather(fluidForce, from, others, &bodyRecord::fluidForce);
-    gather(fluidTorque, from, others, &bodyRecord::fluidTorque);
+    gatherHeld(fluidForce, from, others, &bodyRecord::fluidForce);
+    gatherHeld(fluidTorque, from, others, &bodyRecord::fluidTorque);
     byId_.clear();
 
     firstSphere.setSize(1);
     sphereBody.clear();
-    sphereX.clear();
+    sphereX_.clearStorage();
+    allBalls_ = true;
     sphereR.clear();
     forAll(x, b)
     {
@@ -211,13 +213,21 @@ void Foam::dem::bodies::take
 
 void Foam::dem::bodies::appendSpheres(const label b)
 {
+    if (allBalls_ && !shapeOf(b).isSphere())
+    {
+        allBalls_ = false;
+        sphereX_ = SubList<point>(x, b);
+    }
     for (const scalar radius : shapeOf(b).radii())
     {
         sphereBody.append(b);
-        sphereX.append(Zero);
         sphereR.append(radius);
+        if (!allBalls_)
+        {
+            sphereX_.append(Zero);
+        }
     }
-    firstSphere.append(sphereX.size());
+    firstSphere.append(sphereR.size());
     updateSpheres(b);
 }
 
@@ -266,12 +276,17 @@ Foam::tensor Foam::dem::bodies::inertiaTensor(const label b) const
 
 void Foam::dem::bodies::updateSpheres(const label b)
 {
+    if (allBalls_)
+    {
+        return;
+    }
+
     const shape& s = shapeOf(b);
     const label first = firstSphere[b];
 
     if (s.isSphere())
     {
-        sphereX[first] = x[b];
+        sphereX_[first] = x[b];
         return;
     }
 
@@ -279,7 +294,7 @@ void Foam::dem::bodies::updateSpheres(const label b)
     const pointField& centres = s.centres();
     forAll(centres, i)
     {
-        sphereX[first + i] = x[b] + (R & centres[i]);
+        sphereX_[first + i] = x[b] + (R & centres[i]);
     }
 }
 

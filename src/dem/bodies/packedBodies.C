@@ -195,17 +195,20 @@ void Foam::dem::packedBodies::pack(const bodies& state, const vector& g)
 
 void Foam::dem::packedBodies::unpackPositions(bodies& state) const
 {
-    for (label s = 0; s < nSpheres_; ++s)
-    {
-        state.sphereX[s] = centre(s);
-    }
     for (label b = 0; b < nBodies_; ++b)
     {
         state.x[b] = position(b);
     }
+    if (!state.allBalls())
+    {
+        for (label s = 0; s < nSpheres_; ++s)
+        {
+            state.setSphereX(s, centre(s));
+        }
+    }
     for (const clump& c : clumps_)
     {
-        state.q[c.body] = c.q;
+        state.q.set(c.body, c.q);
     }
 }
 
@@ -273,7 +276,7 @@ void Foam::dem::packedBodies::setPositions(const bodies& state)
 {
     for (label s = 0; s < nSpheres_; ++s)
     {
-        now_.x(s) = record(state.sphereX[s], now_.x(s).w);
+        now_.x(s) = record(state.sphereX()[s], now_.x(s).w);
     }
     for (clump& c : clumps_)
     {

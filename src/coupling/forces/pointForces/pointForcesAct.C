@@ -181,7 +181,7 @@ void Foam::coupling::pointForces::setDrag
         if (!whole)
         {
             const vector arm =
-                state.sphereX[state.firstSphere[b] + k] - state.x[b];
+                state.sphereX()[state.firstSphere[b] + k] - state.x[b];
             const vector u = f.u - (state.omega[b] ^ arm);
             const scalar K =
                 stokes*factorOf(first_[b] + k, mag(u - state.v[b]));
@@ -227,7 +227,7 @@ Foam::vector Foam::coupling::pointForces::meanTorque
         {
             const label i = first_[b] + k;
             const vector r =
-                state.sphereX[state.firstSphere[b] + k] - state.x[b];
+                state.sphereX()[state.firstSphere[b] + k] - state.x[b];
             const vector slip =
                 atElements[k].u - state.v[b] - (omega ^ r);
             const scalar K = elements_[i].stokes*factorOf(i, mag(slip));

@@ -43,8 +43,8 @@ void Foam::coupling::pointForces::findElements()
         {
             for (label s = state.firstSphere[b]; s < state.firstSphere[b + 1];)
             {
-                points_.append(state.sphereX[s]);
-                cellOf_.append(bins_.find(state.sphereX[s++], cellOf_[b]));
+                points_.append(state.sphereX()[s]);
+                cellOf_.append(bins_.find(state.sphereX()[s++], cellOf_[b]));
             }
         }
         first_[b + 1] = first_[b] + n;

@@ -30,9 +30,9 @@ const Foam::labelList& Foam::coupling::ballCells::look
         for (label s = first; s < end; ++s)
         {
             last_[s] =
-                state.sphereX[s] == state.x[b]
+                state.sphereX()[s] == state.x[b]
               ? centres[b]
-              : bins_.find(state.sphereX[s], last_[s]);
+              : bins_.find(state.sphereX()[s], last_[s]);
         }
     }
     return last_;
@@ -85,7 +85,7 @@ const Foam::labelList& Foam::coupling::ballCells::cells
     List<scalar> near(lost.size());
     forAll(lost, k)
     {
-        const point& x = state.sphereX[lost[k]];
+        const point& x = state.sphereX()[lost[k]];
         const label c = bins_.nearest(x, mesh_.bounds().mag());
         cell[lost[k]] = c;
         near[k] = c < 0 ? -GREAT : -mag(mesh_.cellCentres()[c] - x);
@@ -187,7 +187,7 @@ void Foam::coupling::ballCells::findShared
     bodyOfAll_ = state.sphereBody;
     findShares(state, kinds);
 
-    DynamicList<point> points(state.sphereX);
+    DynamicList<point> points(state.sphereX());
     DynamicList<label> cell(look(state));
     hosts_.find(mesh_, bins_, true, points, cell);
     const List<scalar> guests(hosts_.send(state.sphereR));
@@ -244,7 +244,7 @@ void Foam::coupling::ballCells::find
         {
             body_.append(state.sphereBody[s]);
             share_.append(shareOfAll_[s]);
-            found.append({cell[s], state.sphereX[s], state.sphereR[s]});
+            found.append({cell[s], state.sphereX()[s], state.sphereR[s]});
         }
     }
     balls.transfer(found);

@@ -148,7 +148,7 @@ void Foam::dem::impactTrials::findTouch(const dictionary& pair, meeting& m)
     m.height = -GREAT;
     for (label i = 0; i < state.firstSphere[1]; ++i)
     {
-        const scalar up = state.sphereX[i].z() - zA;
+        const scalar up = state.sphereX()[i].z() - zA;
         if (setting_.isPlane)
         {
             if (state.sphereR[i] - up > m.height)
@@ -160,12 +160,12 @@ void Foam::dem::impactTrials::findTouch(const dictionary& pair, meeting& m)
         }
         for (label j = state.firstSphere[1]; j < state.nSpheres(); ++j)
         {
-            vector d = state.sphereX[i] - state.sphereX[j];
+            vector d = state.sphereX()[i] - state.sphereX()[j];
             d.z() = 0;
             const scalar both = state.sphereR[i] + state.sphereR[j];
             const scalar touch =
                 sqrt(max(sqr(both) - magSqr(d), scalar(0)))
-              - up + state.sphereX[j].z() - zB;
+              - up + state.sphereX()[j].z() - zB;
             if (mag(d) < both && touch > m.height)
             {
                 m.height = touch;
@@ -212,14 +212,14 @@ Foam::scalar Foam::dem::impactTrials::closing
     const meeting& m
 ) const
 {
-    const point& a = state.sphereX[m.sphereA];
+    const point& a = state.sphereX()[m.sphereA];
     if (setting_.isPlane)
     {
         const vector n(0, 0, 1);
         return -(n & state.velocityAt(0, a - state.sphereR[m.sphereA]*n));
     }
 
-    const point& b = state.sphereX[m.sphereB];
+    const point& b = state.sphereX()[m.sphereB];
     const vector n = normalised(a - b);
     return
         n

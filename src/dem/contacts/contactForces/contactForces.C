@@ -49,8 +49,8 @@ struct copiedSpheres
     {
         const label b = state.sphereBody[s];
         const scalar radius = state.sphereR[s];
-        r.x(to) = record(state.sphereX[s] + shift, 1/state.mass[b]);
-        r.v(to) = record(state.velocityAt(b, state.sphereX[s]), radius);
+        r.x(to) = record(state.sphereX()[s] + shift, 1/state.mass[b]);
+        r.v(to) = record(state.velocityAt(b, state.sphereX()[s]), radius);
         r.w[to] = record(radius*state.omega[b], radius);
         material[to] = state.materialI[b];
     }
@@ -106,10 +106,10 @@ Foam::List<Foam::dem::contactForce> Foam::dem::contactForces
         contactForce& c = all[k];
         c.a = state.sphereBody[p.i];
         c.b = state.sphereBody[p.j];
-        const vector d = state.sphereX[p.i] - state.sphereX[p.j] - shift;
+        const vector d = state.sphereX()[p.i] - state.sphereX()[p.j] - shift;
         c.n = d/max(mag(d), VSMALL);
         const scalar rSum = state.sphereR[p.i] + state.sphereR[p.j];
-        c.p = state.sphereX[p.i] - state.sphereR[p.i]/rSum*d;
+        c.p = state.sphereX()[p.i] - state.sphereR[p.i]/rSum*d;
         c.overlap = rSum - mag(d);
         c.branch = state.x[c.a] - state.x[c.b] - shift;
     }
@@ -137,7 +137,7 @@ Foam::List<Foam::dem::contactForce> Foam::dem::contactForces
         c.b = -1 - touches[k].wallI;
         c.n = touches[k].n;
         c.overlap = touches[k].overlap;
-        c.p = state.sphereX[s]
+        c.p = state.sphereX()[s]
             - (state.sphereR[s] - touches[k].overlap)*touches[k].n;
         c.branch = state.x[c.a] - c.p;
     }

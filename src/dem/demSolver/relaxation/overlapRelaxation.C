@@ -45,7 +45,10 @@ void Foam::dem::overlapRelaxation::push
         const scalar angle = mag(turn);
         if (angle > 0)
         {
-            state_.q[b] = unit(quaternion(turn/angle, angle)*state_.q[b]);
+            state_.q.set
+            (
+                b, unit(quaternion(turn/angle, angle)*state_.q[b])
+            );
         }
     }
     state_.updateSpheres(b);
@@ -74,7 +77,7 @@ void Foam::dem::overlapRelaxation::separate
     const bool move
 )
 {
-    vector n = state_.sphereX[p.i] - state_.sphereX[p.j];
+    vector n = state_.sphereX()[p.i] - state_.sphereX()[p.j];
     if (p.image != periodicity::original)
     {
         n -= period_.shift(p.image);
@@ -111,8 +114,8 @@ void Foam::dem::overlapRelaxation::separate
         n = random.rotation().transform(vector(1, 0, 0));
     }
     const vector half = 0.5*overlap*n;
-    const vector armI = state_.sphereX[p.i] - rI*n + half - state_.x[a];
-    const vector armJ = state_.sphereX[p.j] + rJ*n - half - state_.x[b];
+    const vector armI = state_.sphereX()[p.i] - rI*n + half - state_.x[a];
+    const vector armJ = state_.sphereX()[p.j] + rJ*n - half - state_.x[b];
     const vector impulse =
         way/(givesWay(a, armI, n) + givesWay(b, armJ, n))*n;
     push(a, armI, impulse);
@@ -132,7 +135,7 @@ void Foam::dem::overlapRelaxation::outOfWalls(const bool move)
 
         // Another contact of the body may have moved it meanwhile
         const vector moved =
-            state_.sphereX[t.sphere] - packed_.centre(t.sphere);
+            state_.sphereX()[t.sphere] - packed_.centre(t.sphere);
         const scalar way = t.overlap + 1e-3*r - (moved & t.n);
         if (move && way > 0)
         {
@@ -172,7 +175,7 @@ void Foam::dem::overlapRelaxation::pass(const bool move, const bool backwards)
     const pointField oldBodies(state_.x);
     const pointField oldSpheres
     (
-        clumps_ ? pointField(state_.sphereX) : pointField()
+        clumps_ ? pointField(state_.sphereX()) : pointField()
     );
 
     const auto apart =
@@ -204,7 +207,7 @@ void Foam::dem::overlapRelaxation::pass(const bool move, const bool backwards)
     scalar farthest = 0;
     forAll(before, s)
     {
-        farthest = max(farthest, magSqr(state_.sphereX[s] - before[s]));
+        farthest = max(farthest, magSqr(state_.sphereX()[s] - before[s]));
     }
     list_.moved(sqrt(farthest));
     list_.accept();

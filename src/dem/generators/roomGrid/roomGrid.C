@@ -72,7 +72,7 @@ void Foam::dem::roomGrid::addSphere(const label sphere)
         l.head.setSize(64, -1);
     }
     l.largest = max(l.largest, r);
-    l.balls.append(ball{state_.sphereX[sphere], r, -1});
+    l.balls.append(ball{state_.sphereX()[sphere], r, -1});
     link(l, l.balls.size() - 1);
 
     // As many hashes as balls at least
@@ -183,7 +183,7 @@ Foam::dem::roomGrid::roomGrid
     walls_(walls),
     period_(period)
 {
-    forAll(state_.sphereX, s)
+    forAll(state_.sphereX(), s)
     {
         addSphere(s);
     }

@@ -91,10 +91,10 @@ void Foam::dem::profileMeter::take(const demSolver& dem)
         shares[k] = s.volume()/sum;
     }
 
-    forAll(state.sphereX, i)
+    forAll(state.sphereX(), i)
     {
         const label b = state.sphereBody[i];
-        const point& x = state.sphereX[i];
+        const point& x = state.sphereX()[i];
         const scalar r = state.sphereR[i];
         const scalar share = shares[state.shapeI[b]];
         add(x, r, share, state.v[b]);

@@ -11,6 +11,7 @@ Class
 \*---------------------------------------------------------------------------*/
 
 #include "contactBlocks.H"
+#include "pairRuns.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -47,29 +48,24 @@ void Foam::dem::contactBlocks::move(const label from, const label to)
 }
 
 
-template<class Pairs>
 Foam::label Foam::dem::contactBlocks::layOut
 (
-    const Pairs& pairs,
-    const label n
+    const label nPlain,
+    const label nImages
 )
 {
     const label W = nLanes_;
-    nPlain_ = n;
-    while (nPlain_ && pairs(nPlain_ - 1).image != periodicity::original)
-    {
-        --nPlain_;
-    }
-    nImages_ = n - nPlain_;
+    nPlain_ = nPlain;
+    nImages_ = nImages;
     nPlainBlocks_ = (nPlain_ + W - 1)/W;
     return nPlainBlocks_ + (nImages_ + W - 1)/W;
 }
 
 
-template<class Pairs>
+template<class ForEach>
 void Foam::dem::contactBlocks::place
 (
-    const Pairs& pairs,
+    const ForEach& forEach,
     const label nBlocks,
     const spherePair& filler
 )
@@ -80,17 +76,17 @@ void Foam::dem::contactBlocks::place
     image_.assign(nImages_ ? nBlocks*W : 0, periodicity::original);
     onTrial_ = false;
 
-    for (label p = 0; p < nPlain_ + nImages_; ++p)
+    label p = 0;
+    forEach([&](const spherePair& pair)
     {
-        const spherePair& pair = pairs(p);
-        const label k = slot(p);
+        const label k = slot(p++);
         i_[k] = 8*pair.i;
         j_[k] = 8*pair.j;
         if (nImages_)
         {
             image_[k] = pair.image;
         }
-    }
+    });
 }
 
 
@@ -118,10 +114,27 @@ void Foam::dem::contactBlocks::set
     const spherePair& filler
 )
 {
-    const auto pairs =
-        [&](const label p) -> const spherePair& { return touching[p].pair; };
-    const label nBlocks = layOut(pairs, touching.size());
-    place(pairs, nBlocks, filler);
+    label nPlain = touching.size();
+    while
+    (
+        nPlain && touching[nPlain - 1].pair.image != periodicity::original
+    )
+    {
+        --nPlain;
+    }
+    const label nBlocks = layOut(nPlain, touching.size() - nPlain);
+    place
+    (
+        [&](const auto& visit)
+        {
+            for (const pairHistory& h : touching)
+            {
+                visit(h.pair);
+            }
+        },
+        nBlocks,
+        filler
+    );
     setSize(now_, nBlocks);
     forAll(touching, p)
     {
@@ -146,52 +159,44 @@ void Foam::dem::contactBlocks::set
 
 void Foam::dem::contactBlocks::set
 (
-    const std::vector<spherePair>& pairs,
+    const pairRuns& pairs,
     const spherePair& filler
 )
 {
-    const auto pair =
-        [&](const label p) -> const spherePair& { return pairs[p]; };
-    const label n = label(pairs.size());
     const std::vector<label>& from = touching();
-    const label nBlocks = layOut(pair, n);
-
-    // Where the memory of those that touch goes
-    lane_.clear();
-    for (label p = 0; p < n && lane_.size() < from.size(); ++p)
-    {
-        if (!before(pairs[p], pairInLane(from[lane_.size()])))
-        {
-            lane_.push_back(slot(p));
-        }
-    }
+    const label nBlocks = layOut(pairs.nPlain(), pairs.nImages());
+    const auto lane = [&](const label t) { return slot(pairs.touching()[t]); };
 
     // It goes there in place: as the order is the same, what goes down from
     // the first to the last, and then what goes up from the last to the first,
     // never meets what has yet to go
-    const label nTouching = label(lane_.size());
+    const label nTouching = label(pairs.touching().size());
     setRoom(now_, max(nBlocks, label(now_.touched.size())));
     for (label t = 0; t < nTouching; ++t)
     {
-        if (lane_[t] < from[t])
+        if (lane(t) < from[t])
         {
-            move(from[t], lane_[t]);
+            move(from[t], lane(t));
         }
     }
     for (label t = nTouching - 1; t >= 0; --t)
     {
-        if (lane_[t] > from[t])
+        if (lane(t) > from[t])
         {
-            move(from[t], lane_[t]);
+            move(from[t], lane(t));
         }
     }
 
     setSize(now_, nBlocks);
-    for (const label k : lane_)
+    for (const label p : pairs.touching())
     {
+        const label k = slot(p);
         now_.touched[k/nLanes_] |= 1 << (k % nLanes_);
     }
-    place(pair, nBlocks, filler);
+    place
+    (
+        [&](const auto& visit) { pairs.forEach(visit); }, nBlocks, filler
+    );
 }
 
 

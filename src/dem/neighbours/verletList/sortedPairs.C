@@ -17,26 +17,24 @@ License
 
 void Foam::dem::sortedPairs::set
 (
-    const std::vector<spherePair>& found,
+    const pairRuns& found,
     const label n
 )
 {
     seam_.clear();
     setFresh(begin_, n + 1);
     std::fill(begin_.begin(), begin_.end(), 0);
-    label nPlain = 0;
-    for (const spherePair& p : found)
+    found.forEach([&](const spherePair& p)
     {
         if (p.image == periodicity::original)
         {
-            ++begin_[p.i];
-            ++nPlain;
+            ++begin_[min(p.i, p.j)];
         }
         else
         {
             seam_.push_back(p);
         }
-    }
+    });
     std::sort(seam_.begin(), seam_.end(), contactBlocks::before);
     const auto same = [](const spherePair& a, const spherePair& b)
     {
@@ -52,14 +50,14 @@ void Foam::dem::sortedPairs::set
         b = sum;
         sum += count;
     }
-    setFresh(j_, nPlain);
-    for (const spherePair& p : found)
+    setFresh(j_, found.nPlain());
+    found.forEach([&](const spherePair& p)
     {
         if (p.image == periodicity::original)
         {
-            j_[begin_[p.i]++] = p.j;
+            j_[begin_[min(p.i, p.j)]++] = max(p.i, p.j);
         }
-    }
+    });
 
     // Where a bucket began is now where it ends
     label from = 0, to = 0;

@@ -13,6 +13,7 @@ License
 #include "checkedEntry.H"
 
 #include <algorithm>
+#include <malloc.h>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -21,6 +22,18 @@ namespace
 
 // Part of the reach of the near pairs that a sphere at rest has
 const Foam::scalar slowest = 0.2;
+
+
+//- Give back to the system what has been freed. Lists below 32 MB leave holes
+//  otherwise, into which nothing larger fits; where there are few spheres the
+//  next list has them
+void giveBack(const Foam::label nSpheres)
+{
+    if (nSpheres > 100000)
+    {
+        malloc_trim(0);
+    }
+}
 
 } // End anonymous namespace
 
@@ -36,6 +49,7 @@ void Foam::dem::verletList::setNear(const packedBodies& state)
         slowest*min(skin_/max(nearSkin_, VSMALL), scalar(1)),
         0.25
     );
+    near_.setPlaces(state);
     if (asleep_.due())
     {
         asleep_.sort(blocks_, state.nSpheres());
@@ -76,7 +90,7 @@ void Foam::dem::verletList::gather
     const scalar* allowed = near_.allowed.cdata();
     const bool sleeping = asleep_.any();
     found_.clear();
-    found_.reserve(pairs_.size());
+    found_.reserve(pairs_.size(), state.nSpheres());
     pairs_.forEach([&](const spherePair& p)
     {
         if (sleeping && asleep_.leavesOut(p))
@@ -87,7 +101,7 @@ void Foam::dem::verletList::gather
         // Each pair that touches is one of them
         if (next < touching.size() && !sooner(p, touch))
         {
-            found_.push_back(p);
+            found_.addTouching(p);
             ++next;
             setTouch();
             return;
@@ -105,7 +119,7 @@ void Foam::dem::verletList::gather
 
         if (magSqr(d) < sqr(reach))
         {
-            found_.push_back(p);
+            found_.add(p);
         }
     });
     blocks.set(found_, contactBlocks::fillerOf(state.nSpheres()));
@@ -221,12 +235,10 @@ void Foam::dem::placement::start
 )
 {
     const label n = state.nSpheres();
-    x.setSize(n);
     allowed.setSize(n);
     scalar fastest = VSMALL;
     for (label s = 0; s < n; ++s)
     {
-        x[s] = state.centre(s);
         allowed[s] = state.speed(s);
         fastest = max(fastest, allowed[s]);
     }
@@ -238,6 +250,16 @@ void Foam::dem::placement::start
     moved = 0;
     left = part*distance;
     least = worth*part*distance;
+}
+
+
+void Foam::dem::placement::setPlaces(const packedBodies& state)
+{
+    x.setSize(state.nSpheres());
+    forAll(x, s)
+    {
+        x[s] = state.centre(s);
+    }
 }
 
 
@@ -298,17 +320,24 @@ void Foam::dem::verletList::build(const packedBodies& state)
 
     adaptFar(n);
     far_.start(state, 0.5*fastSkin_, skin_/max(fastSkin_, VSMALL), 0.02);
+
+    // While it is searched, what is made anew in any case takes no memory
+    pairs_.free();
+    near_.free();
+    far_.x.clear();
+    giveBack(n);
     search(state);
+    far_.setPlaces(state);
     asleep_.setDue();
     for (contactBlocks* blocks : {&blocks_, &asleep_.blocks(), &reached_})
     {
         for (const label lane : blocks->touching())
         {
-            found_.push_back(blocks->pairInLane(lane));
+            found_.add(blocks->pairInLane(lane));
         }
     }
     pairs_.set(found_, n);
-    std::vector<spherePair>().swap(found_);
+    found_.free();
 
     nearSkin_ = max(min(nearSkin_, min(fastSkin_, 4*skin_)), 0.1*skin_);
     setNear(state);
@@ -363,8 +392,16 @@ void Foam::dem::verletList::drop()
 {
     if (valid_)
     {
+        // What is made anew in any case need not be there beside them
+        pairs_.free();
+        near_.free();
+        found_.free();
+        const label n = far_.x.size();
+        far_.x.clear();
+        giveBack(n);
         kept_ = histories();
         keptBridges_ = bridges();
+        blocks_.free();
         asleep_.clear();
         valid_ = false;
     }

@@ -48,19 +48,19 @@ void Foam::dem::verletList::search(const packedBodies& state)
     }
 
     // More than there mostly are: room that is not used takes no memory
-    found_.reserve(8*std::size_t(n));
+    found_.reserve(8*std::size_t(n), n);
     if (periodic())
     {
         searchImages(state);
         return;
     }
 
-    scalarList r(n);
-    for (label s = 0; s < n; ++s)
+    const auto x = [&](const label s) { return state.centre(s); };
+    const auto r = [&](const label s)
     {
-        r[s] = state.radius(s) + far_.allowed[s];
-    }
-    sizeLevels(far_.x, r, reach_).forEachPair
+        return state.radius(s) + far_.allowed[s];
+    };
+    sizeLevels(n, x, r, reach_).forEachPair
     (
         [&](const label i, const label j)
         {
@@ -68,13 +68,13 @@ void Foam::dem::verletList::search(const packedBodies& state)
                 !reaches()
              || within
                 (
-                    far_.x[i] - far_.x[j], r[i] + r[j],
+                    x(i) - x(j), r(i) + r(j),
                     state.radius(i), state.radius(j),
                     leastReach_, reachPerRadius_
                 );
             if (near && state.mayTouch(state.bodyOf(i), state.bodyOf(j)))
             {
-                found_.push_back(spherePair(min(i, j), max(i, j)));
+                found_.add(i, j);
             }
         }
     );
@@ -86,12 +86,14 @@ void Foam::dem::verletList::searchImages(const packedBodies& state)
     const label n = state.nSpheres();
 
     // The spheres, and behind them the images of those near a seam
-    scalarList r(n);
+    const auto r = [&](const label s)
+    {
+        return state.radius(s) + far_.allowed[s];
+    };
     scalar overhang = 0;
     for (label s = 0; s < n; ++s)
     {
-        r[s] = state.radius(s) + far_.allowed[s];
-        overhang = max(overhang, period_.overhang(far_.x[s], r[s]));
+        overhang = max(overhang, period_.overhang(state.centre(s), r(s)));
     }
     DynamicList<point> imageX;
     DynamicList<label> source, image;
@@ -99,11 +101,11 @@ void Foam::dem::verletList::searchImages(const packedBodies& state)
     {
         period_.forEachImage
         (
-            far_.x[s],
-            r[s] + reach_ + overhang,
+            state.centre(s),
+            r(s) + reach_ + overhang,
             [&](const label m)
             {
-                imageX.append(far_.x[s] + period_.shift(m));
+                imageX.append(state.centre(s) + period_.shift(m));
                 source.append(s);
                 image.append(m);
             }
@@ -119,14 +121,14 @@ void Foam::dem::verletList::searchImages(const packedBodies& state)
     };
     const auto x = [&](const label i)
     {
-        return i < n ? far_.x[i] : imageX[i - n];
+        return i < n ? state.centre(i) : imageX[i - n];
     };
 
     sizeLevels
     (
         n + imageX.size(),
         x,
-        [&](const label i) { return r[sourceOf(i)]; },
+        [&](const label i) { return r(sourceOf(i)); },
         reach_
     ).forEachPair
     (
@@ -134,6 +136,7 @@ void Foam::dem::verletList::searchImages(const packedBodies& state)
         {
             // A pair through a seam is found twice, from either side: it is
             // taken where the lower sphere is the original
+            const label first = i, second = j;
             if (sourceOf(i) > sourceOf(j))
             {
                 Swap(i, j);
@@ -143,7 +146,7 @@ void Foam::dem::verletList::searchImages(const packedBodies& state)
                 !reaches()
              || within
                 (
-                    x(i) - x(j), r[a] + r[b], state.radius(a),
+                    x(i) - x(j), r(a) + r(b), state.radius(a),
                     state.radius(b), leastReach_, reachPerRadius_
                 );
             if
@@ -152,7 +155,10 @@ void Foam::dem::verletList::searchImages(const packedBodies& state)
              && state.mayTouch(state.bodyOf(a), state.bodyOf(b))
             )
             {
-                found_.push_back(spherePair(a, b, imageOf(j)));
+                // As the search goes, first spheres follow each other
+                imageOf(j) == periodicity::original
+              ? found_.add(first, second)
+              : found_.add(spherePair(a, b, imageOf(j)));
             }
         }
     );

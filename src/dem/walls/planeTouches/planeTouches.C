@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "planeTouches.H"
+#include "pairRuns.H"
 #include "wall.H"
 
 #include <algorithm>
@@ -121,7 +122,17 @@ void Foam::dem::planeTouches::set()
     }
     const contactBlocks::spherePair filler(pairs_[0].i, 0);
     blocks_.set(kept_, filler);
-    blocks_.set(pairs_, filler);
+    pairRuns pairs;
+    label next = 0;
+    for (const contactBlocks::spherePair& p : pairs_)
+    {
+        const bool kept =
+            next < kept_.size()
+         && !contactBlocks::before(p, kept_[next].pair);
+        kept ? pairs.addTouching(p) : pairs.add(p);
+        next += kept;
+    }
+    blocks_.set(pairs, filler);
 
     const label n = blocks_.nLanes();
     const label W = blocks_.nInBlock();
