@@ -99,12 +99,15 @@ Foam::HashTable<Foam::scalar> Foam::demCloud::pointShares
     const bool squeezes =
         watch.watches(film)
      && (thorough || (watch.near(film) && !watch.on(film)));
-    if (squeezes && state.size() <= 200)
+    const bool few = state.size() <= 200;
+    const bool meet = few && thorough && watch.watches("contacts");
+    const scalar until =
+        mesh_.time().deltaTValue()*effects_.interval
+       *(interval_.valid() ? interval_->steps() : 1);
+    if (few && (squeezes || meet))
     {
         n.gap = sceneSurvey::smallestGap(state);
-        n.until =
-            mesh_.time().deltaTValue()*effects_.interval
-           *(interval_.valid() ? interval_->steps() : 1);
+        n.until = squeezes ? until : 0;
     }
     n.turbulent = watch.watches("dispersion");
     sceneNumbers falls;
@@ -158,6 +161,20 @@ Foam::HashTable<Foam::scalar> Foam::demCloud::pointShares
                 );
             }
         }
+    }
+    if (meet)
+    {
+        // Few may meet where the blocks of a crowd do not have both
+        scalar fastest = 0;
+        for (const vector& v : state.v)
+        {
+            fastest = max(fastest, mag(v));
+        }
+        scalar& share = shares("contacts", 0);
+        share = max
+        (
+            share, effects_.target*4*fastest*until/max(n.gap, VSMALL)
+        );
     }
     return shares;
 }
