@@ -122,11 +122,11 @@ bool isSound(const dem::bodies& state)
             return false;
         }
     }
-    forAll(state.sphereX, s)
+    forAll(state.sphereX(), s)
     {
         if
         (
-            !std::isfinite(mag(state.sphereX[s]))
+            !std::isfinite(mag(state.sphereX()[s]))
          || !(state.sphereR[s] > 0) || !std::isfinite(state.sphereR[s])
         )
         {

@@ -146,9 +146,13 @@ def runParallel(case, ranks, program, blocks=None):
 def onRanks(ranks, program):
     """The command of a program on ranks. More of them than there are cores leave
     the core to others while they wait; else waiting is shorter than coming
-    back, where other programs want the cores."""
+    back, where other programs want the cores. mpirun itself is not poisoned:
+    when ranks end with an error it uses memory that it has freed."""
     shared = ranks > (os.cpu_count() or 1)
-    return (["mpirun", "--oversubscribe"]
+    poison = "MALLOC_PERTURB_"
+    return (["env", "-u", poison, "mpirun", "--oversubscribe"]
+            + (["-x", poison + "=" + os.environ[poison]]
+               if poison in os.environ else [])
             + (["--mca", "mpi_yield_when_idle", "1"] if shared else [])
             + ["-np", str(ranks), program, "-parallel"])
 

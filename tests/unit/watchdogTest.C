@@ -301,8 +301,9 @@ TEST(watchdog, finds)
     figure
     (
         "watchdog_exchange",
-        says(dog.complaint(J, -0.99999*J), "do not cancel")
-     && dog.complaint(J, -(1 + 1e-9)*J).empty(),
+        says(dog.complaint(J, -0.99999*J, mag(J)), "do not cancel")
+     && dog.complaint(J, -(1 + 1e-9)*J, mag(J)).empty()
+     && dog.complaint(1e-12*J, -2e-12*J, mag(J)).empty(),
         1, 1, "-", "1e-5 and 1e-9 off"
     );
 }

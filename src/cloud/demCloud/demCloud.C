@@ -329,7 +329,8 @@ void Foam::demCloud::correct(const volVectorField& U)
 
         const scalar dt = mesh_.time().deltaTValue();
         exchange_.active = true;
-        exchange_.toBodies = dt*immersed_->forceOnBodies();
+        exchange_.toBodies = dt*immersed_->forceOnBodies(exchange_.magnitudes);
+        exchange_.magnitudes *= dt;
         exchange_.toFluid = dt*immersed_->forceOnFluid(U);
         exchange_.volumeError = immersed_->volumeError();
         exchange_.slip = immersed_->slip();
@@ -359,12 +360,15 @@ void Foam::demCloud::finishExchange(const volVectorField& U)
     }
     exchange_.active = true;
     exchange_.toBodies = exchanged_->toBodies();
+    exchange_.magnitudes = exchanged_->magnitudes();
     exchange_.toFluid = exchanged_->toFluid(U);
     exchange_.volumeError = exchanged_->volumeError();
     if (immersed_.valid())
     {
         const scalar dt = mesh_.time().deltaTValue();
-        exchange_.toBodies += dt*immersed_->forceOnBodies();
+        scalar magnitudes;
+        exchange_.toBodies += dt*immersed_->forceOnBodies(magnitudes);
+        exchange_.magnitudes += dt*magnitudes;
         exchange_.toFluid += dt*immersed_->forceOnFluid(U);
         exchange_.volumeError =
             max(exchange_.volumeError, immersed_->volumeError());

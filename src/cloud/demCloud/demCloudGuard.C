@@ -49,7 +49,10 @@ void Foam::demCloud::checkExchange()
 {
     const string wrong
     (
-        watchdog_->complaint(exchange_.toBodies, exchange_.toFluid)
+        watchdog_->complaint
+        (
+            exchange_.toBodies, exchange_.toFluid, exchange_.magnitudes
+        )
     );
     if (wrong.size())
     {

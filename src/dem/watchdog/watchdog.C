@@ -269,11 +269,12 @@ Foam::string Foam::dem::watchdog::complaint(const advance& a)
 Foam::string Foam::dem::watchdog::complaint
 (
     const vector& toBodies,
-    const vector& toFluid
+    const vector& toFluid,
+    const scalar magnitudes
 ) const
 {
     const scalar off = mag(toBodies + toFluid);
-    if (off <= mismatch_*max(mag(toBodies), VSMALL))
+    if (off <= mismatch_*max(magnitudes, VSMALL))
     {
         return string();
     }

@@ -415,10 +415,15 @@ Foam::vector Foam::coupling::immersedMethod::forceOnFluid
 }
 
 
-Foam::vector Foam::coupling::immersedMethod::forceOnBodies() const
+Foam::vector Foam::coupling::immersedMethod::forceOnBodies
+(
+    scalar& magnitudes
+) const
 {
     const label n = min(force_.size(), dem_.state().size());
-    return dem_.group().sum(sum(SubList<vector>(force_, n)));
+    const SubList<vector> own(force_, n);
+    magnitudes = dem_.group().sum(sum(mag(own)()));
+    return dem_.group().sum(sum(own));
 }
 
 

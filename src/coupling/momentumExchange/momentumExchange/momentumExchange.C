@@ -164,8 +164,16 @@ void Foam::coupling::momentumExchange::respond(const volVectorField& U)
         {
             rest_[b] = response_[b]*seen_[b];
         }
-        toBodies_ += impulse(b);
+        addToBodies(b);
     }
+}
+
+
+void Foam::coupling::momentumExchange::addToBodies(const label b)
+{
+    const vector J = impulse(b);
+    toBodies_ += J;
+    magnitudes_ += mag(J);
 }
 
 
@@ -356,6 +364,7 @@ void Foam::coupling::momentumExchange::addTo(fvMatrix<vector>& eqn) const
 void Foam::coupling::momentumExchange::finish(const volVectorField& U)
 {
     toBodies_ = Zero;
+    magnitudes_ = 0;
     if (dem_.group().any(J_.size() != dem_.state().size()))
     {
         return;
@@ -368,10 +377,11 @@ void Foam::coupling::momentumExchange::finish(const volVectorField& U)
     {
         forAll(J_, b)
         {
-            toBodies_ += impulse(b);
+            addToBodies(b);
         }
     }
     toBodies_ = dem_.group().sum(toBodies_);
+    magnitudes_ = dem_.group().sum(magnitudes_);
     noteImpulses();
 }
 
