@@ -107,7 +107,7 @@ Foam::dem::demInput Foam::demCloud::solverInput(const fluidAccess access)
        /mesh_.time().constant();
     input.g = readGravity();
     input.closed = mesh_.bounds();
-    input.meshMoves = mesh_.dynamic();
+    input.meshMoves = mesh_.dynamic() && !isA<dynamicRefineFvMesh>(mesh_);
     if (accuracy_.valid())
     {
         couplingAccuracy::chooseSleeping(dict_, *accuracy_, mag(input.g));
