@@ -58,9 +58,11 @@ Foam::dem::watchdog::sums Foam::dem::watchdog::sumsOf(const advance& a)
     const bodies& start = a.start;
     const bool turned = !start.fluidTorque.none();
     const bool dragged = a.now.dragged();
-    packedDrag drag(a.earlier);
-    drag.impulse += a.now.given().impulse;
-    drag.work += a.now.given().work;
+
+    // Sums alone: what each body got is in the packed bodies
+    packedDrag drag;
+    drag.impulse = a.earlier.impulse + a.now.given().impulse;
+    drag.work = a.earlier.work + a.now.given().work;
     sums s{};
     forAll(start.v, b)
     {

@@ -259,7 +259,7 @@ void Foam::dem::hadesSolver::endPiece()
         packedDrag piece;
         piece.impulse = packed_.given().impulse;
         piece.work = packed_.given().work;
-        for (label b = 0; b < nBodies(); ++b)
+        for (label b = 0; b < state_.size(); ++b)
         {
             packed_.end(exchange_.valid() ? exchange_->own()[b] : b, piece);
         }
