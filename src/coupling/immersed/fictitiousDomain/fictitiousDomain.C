@@ -38,7 +38,7 @@ const Foam::dictionary& checked(const Foam::dictionary& dict)
 {
     using namespace Foam;
 
-    if (dict.getOrDefault<word>("outerCorrectors", "once") != "once")
+    if (dict.getOrDefault<word>("outerCorrectors", "once") == "repeat")
     {
         dem::badEntry
         (

@@ -31,20 +31,25 @@ namespace coupling
 void Foam::coupling::pisoIB::cellsFound()
 {
     // The force of the last step, in equal parts of the bodies that share a
-    // cell; what they have left behind is gone
+    // cell; what they have left behind is gone. Cells beside the body have a
+    // force of their own only by the law of cutCells share
+    const auto has = [this](const bodyCell& bc)
+    {
+        return !whole_ || bc.beta > 0;
+    };
     labelList sharers(mesh_.nCells(), 0);
     for (const auto& cells : cells_)
     {
         for (const bodyCell& bc : cells)
         {
-            ++sharers[bc.cell];
+            sharers[bc.cell] += has(bc);
         }
     }
     for (auto& cells : cells_)
     {
         for (bodyCell& bc : cells)
         {
-            bc.push = f_[bc.cell]/sharers[bc.cell];
+            bc.push = has(bc) ? f_[bc.cell]/sharers[bc.cell] : vector(Zero);
         }
     }
 }
