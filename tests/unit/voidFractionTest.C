@@ -452,4 +452,43 @@ TEST(voidFraction, packingLimit)
 }
 
 
+TEST(voidFraction, packingLimitBehindWall)
+{
+    // Two cells that share nothing: one is too full, the other cannot help
+    pointField points(16);
+    forAll(points, p)
+    {
+        points[p] = vector((p & 1) ^ ((p >> 1) & 1), (p >> 1) & 1, (p >> 2) & 1)
+          + vector(p/8*3, 0, 0);
+    }
+    cellShapeList cells(2);
+    forAll(cells, c)
+    {
+        cells[c] = cellShape(cellModel::ref(cellModel::HEX), identity(8, 8*c));
+    }
+    const autoPtr<Time> time(Time::New());
+    const polyMesh mesh
+    (
+        IOobject("mesh", time->timeName(), *time),
+        std::move(points),
+        cells,
+        faceListList(),
+        wordList(),
+        wordList(),
+        "outside",
+        "patch",
+        wordList()
+    );
+
+    dictionary dict(IStringStream("type centroid; maxPacking 0.6;")());
+    scalarField solids(2, scalar(0.2));
+    solids[0] = 0.7;
+    EXPECT_THROW
+    (
+        coupling::packingLimit(dict).apply(mesh, solids),
+        Foam::IOerror
+    );
+}
+
+
 // ************************************************************************* //

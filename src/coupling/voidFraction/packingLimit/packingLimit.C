@@ -120,11 +120,29 @@ Foam::coupling::packingLimit::report Foam::coupling::packingLimit::apply
     syncTools::swapBoundaryCellList(mesh, capacity, otherCapacity);
 
     scalarField excess(mesh.nCells());
-    for (scalar worst = GREAT; worst > full - limit_; )
+    scalar worst = GREAT, before = GREAT;
+    for (label n = 1; worst > full - limit_; ++n)
     {
         excess = max(solids - limit_, scalar(0));
         worst = gMax(excess);
         moveExcess(mesh, capacity, otherCapacity, excess, solids);
+
+        // The largest excess never grows; where it no longer falls the room
+        // is behind a wall, and this would go on for ever
+        if (n % 1000 == 0)
+        {
+            if (worst > (1 - 1e-9)*before)
+            {
+                FatalIOErrorInFunction(dict_)
+                    << "A part of the mesh that walls cut off from the rest"
+                    << " has more bodies than room: it is full of them to "
+                    << limit_ + worst << ", and maxPacking of voidFraction is "
+                    << limit_ << '.' << nl
+                    << "    Are there too many of them in it, or is that limit"
+                    << " too low?" << exit(FatalIOError);
+            }
+            before = worst;
+        }
     }
     return done;
 }
