@@ -11,7 +11,7 @@
 #         rows = settle("E4")                 to the bottom
 #         rows = settle("E4", endTime="0.1")  the first steps
 #             of each experiment a dictionary: largest (m/s), curve (%), shift,
-#             touchdown (s), path, approach (%)
+#             touchdown (s), path, approach (%), gap (d)
 #------------------------------------------------------------------------------
 import os
 import subprocess
@@ -31,6 +31,7 @@ def settle(*experiments, endTime=None):
             text.write(script)
     subprocess.check_call(["./Allrun", *experiments], cwd=case)
     out = subprocess.check_output(["./results"], cwd=case).decode()
-    names = ("largest", "curve", "shift", "touchdown", "path", "approach")
+    names = ("largest", "curve", "shift", "touchdown", "path", "approach",
+             "gap")
     return {words[0]: dict(zip(names, map(float, words[1:])))
             for words in (row.split() for row in out.splitlines()[1:])}

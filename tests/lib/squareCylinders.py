@@ -11,12 +11,13 @@
 #         table = compare(8, ["30"], ["fitted", "surface"])
 #             of each shape and Reynolds number the drag coefficient and the
 #             length of the recirculation over D
-#         table = shedding(12, 0.02, ["200"], ["fitted", "surface"], 6)
+#         for Re, found in shedding(12, 0.02, ["200"], ["fitted", "surface"], 6)
 #             where vortices are shed, second order in time, on cells that are
-#             0.02 of the edge at the square's sides: mean drag coefficient and
-#             Strouhal number of the last four whole periods of 6 s, an even number
-#             as they may alternate. The runs go on from a flow that sheds, of
-#             the surface on even cells
+#             0.02 of the edge at the square's sides: of each shape the mean drag
+#             coefficient and the Strouhal number of the last four whole periods
+#             of 6 s, an even number as they may alternate; one Reynolds number
+#             after the other, as they are done. The runs go on from a flow that
+#             sheds, of the surface on even cells
 #------------------------------------------------------------------------------
 import glob
 import os
@@ -74,18 +75,18 @@ def shedding(cells, smallest, numbers, shapes, endTime):
     runIn(start, "blockMesh")
     runIn(start, "pimpleFoam")
 
-    table = {}
     for Re in numbers:
+        found = {}
         for shape in shapes:
             run = makeCase("square", shape, Re, cells, smallest)
             makeShedding(run, endTime)
             runIn(run, "blockMesh")
             mapFrom(start, run, shape)
             runIn(run, "pimpleFoam")
-            table[shape, float(Re)] = periods(run)
+            found[shape] = periods(run)
             print("%-10s Re %s: mean drag %.4f, St %.4f" % (
-                shape, Re, *table[shape, float(Re)]))
-    return table
+                shape, Re, *found[shape]))
+        yield Re, found
 
 
 def mapFrom(start, run, shape):
