@@ -262,11 +262,16 @@ Foam::word Foam::dem::getChoice
     const wordList& allowed
 )
 {
+    const string oneOf("one of: " + listWords(allowed));
+    if (!dict.found(key))
+    {
+        badEntry(dict, key, "is missing; it must be " + oneOf);
+    }
     const word value(dict.get<word>(key));
 
     if (!allowed.found(value))
     {
-        badEntry(dict, key, mustBe(value, "one of: " + listWords(allowed)));
+        badEntry(dict, key, mustBe(value, oneOf));
     }
     return value;
 }
