@@ -83,6 +83,16 @@ void Foam::demCloud::checkCoupling(const fluidAccess access) const
 
     checkKinds();
     const bool points = pointBodies();
+    if (actsOnFluid() && !points && !dict_.found("immersed"))
+    {
+        dem::badEntry
+        (
+            dict_,
+            "coupling",
+            "is " + coupling_ + ", which needs the block immersed, if bodies"
+            " fill cells of the fluid, or forces, if they are points to it"
+        );
+    }
     if (access == fluidAccess::look)
     {
         if (coupling_ != "none" && coupling_ != "fluidToParticles")
