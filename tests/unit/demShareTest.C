@@ -231,7 +231,7 @@ TEST(demShare, energy)
                 {
                     sum +=
                         0.5*b.mass[k]*magSqr(b.v[k])
-                      + 0.5*(b.L[k] & b.omega[k]);
+                      + 0.5*(b.L(k) & b.omega[k]);
                 }
                 return sum;
             };
@@ -254,6 +254,58 @@ TEST(demShare, energy)
             "no closed form: the share has no potential"
         );
     }
+}
+
+
+TEST(demShare, contacts)
+{
+    // Each contact by itself, which meters and the watchdog ask for, has its
+    // share, too: a clump on a floor and one on top of it
+    demCase c
+    (
+        "demSolver hades;\ncontact { damping none; rolling constant;"
+        " multiContact share; }\n"
+        "materials { rock { density 2500; youngsModulus 1e7;"
+        " poissonsRatio 0.3; } }\n"
+        "pairs { rock-rock { friction 0.3; rollingFriction 0.1; } }\n"
+        "shapes { " + clump(4) + " }\n"
+        "walls { board { type plane; point (0 0 0); normal (0 0 1);"
+        " material rock; } }\n"
+        "stepControl { type fixed; deltaT 2e-6; }\n"
+        "start relax;\n"
+        "bodies {\n"
+        "a { shape ball; material rock; position (0 0 0.00499);"
+        " velocity (0 0 -0.1); }\n"
+        "b { shape ball; material rock; position (0.001 0 0.01488);"
+        " velocity (0.05 0 -0.4); } }\n",
+        gravity
+    );
+    c.run(2e-4);
+
+    const Foam::List<Foam::dem::contactForce> all(c.solver().contacts());
+    EXPECT_GE(all.size(), 8);
+    Foam::vectorField sum(2, vector(Foam::Zero));
+    scalar largest = 0;
+    for (const Foam::dem::contactForce& f : all)
+    {
+        sum[f.a] += f.force;
+        if (f.b >= 0)
+        {
+            sum[f.b] -= f.force;
+        }
+        largest = std::max(largest, mag(f.force));
+    }
+    scalar worst = 0;
+    for (label b = 0; b < 2; ++b)
+    {
+        const vector on(sum[b] + c.state().mass[b]*gravity);
+        worst = std::max(worst, mag(on - c.state().force[b])/largest);
+    }
+    figure
+    (
+        "shareContacts_sum", worst, 0, 1e-9, "-",
+        "their sum and the weight against the force on the body"
+    );
 }
 
 

@@ -165,6 +165,33 @@ Foam::List<Foam::dem::contactForce> Foam::dem::contactForces
     data.wallMaterial = wallMaterial.data();
     data.wallRolled = rolls ? wallRolled.data() : nullptr;
 
+    contactShares shares;
+    if (model.laws().shares)
+    {
+        // As a sweep over all of them does
+        std::vector<contactShares::contact> ofPairs, ofWalls;
+        const auto isClump = [&](const label b)
+        {
+            return b >= 0 && !state.shapeOf(b).isSphere();
+        };
+        forAll(all, k)
+        {
+            const contactForce& c = all[k];
+            if (c.overlap <= 0 || (!isClump(c.a) && !isClump(c.b)))
+            {
+                continue;
+            }
+            k < nPairs
+          ? ofPairs.push_back
+            ({c.a, c.b, pairs[k].pair.image, k, c.overlap, c.n})
+          : ofWalls.push_back({c.a, -1, 0, k - nPairs, c.overlap, c.n});
+        }
+        const label nWallLanes = (nTouches/nLanes + 1)*nLanes;
+        shares.find(ofPairs, blocks.nLanes(), ofWalls, nWallLanes);
+        data.pairShare = shares.ofPairs();
+        data.wallShare = shares.ofWalls();
+    }
+
     sweepFound found;
     model.instructions().sweep(model.laws(), data, found);
     for (label k = 0; k < nPairs; ++k)

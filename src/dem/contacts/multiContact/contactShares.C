@@ -14,8 +14,13 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::dem::contactShares::shareOut(std::vector<double>& shares)
+void Foam::dem::contactShares::shareOut
+(
+    const label nLanes,
+    std::vector<double>& shares
+)
 {
+    shares.assign(nLanes, 1);
     std::sort(contacts_.begin(), contacts_.end());
 
     const size_t n = contacts_.size();
@@ -52,7 +57,6 @@ void Foam::dem::contactShares::find
     const label nLanes
 )
 {
-    ofPairs_.assign(blocks.nLanes(), 1);
     contacts_.clear();
     for (label lane = 0; lane < blocks.nLanes(); ++lane)
     {
@@ -80,9 +84,8 @@ void Foam::dem::contactShares::find
             );
         }
     }
-    shareOut(ofPairs_);
+    shareOut(blocks.nLanes(), ofPairs_);
 
-    ofWalls_.assign((atWalls.size()/nLanes + 1)*nLanes, 1);
     contacts_.clear();
     forAll(atWalls, lane)
     {
@@ -93,7 +96,22 @@ void Foam::dem::contactShares::find
             contacts_.push_back({a, -1, 0, lane, t.overlap, t.n});
         }
     }
-    shareOut(ofWalls_);
+    shareOut((atWalls.size()/nLanes + 1)*nLanes, ofWalls_);
+}
+
+
+void Foam::dem::contactShares::find
+(
+    const std::vector<contact>& pairs,
+    const label nPairLanes,
+    const std::vector<contact>& atWalls,
+    const label nWallLanes
+)
+{
+    contacts_ = pairs;
+    shareOut(nPairLanes, ofPairs_);
+    contacts_ = atWalls;
+    shareOut(nWallLanes, ofWalls_);
 }
 
 
