@@ -103,7 +103,7 @@ bool isSound(const dem::bodies& state)
     forAll(state.x, b)
     {
         const scalar sum =
-            mag(state.x[b]) + mag(state.v[b]) + mag(state.L[b])
+            mag(state.x[b]) + mag(state.v[b]) + mag(state.L(b))
           + mag(state.omega[b]) + mag(state.force[b]) + mag(state.torque[b])
           + mag(state.fluidForce[b]) + mag(state.fluidTorque[b]);
         if
@@ -148,7 +148,7 @@ uint64_t hashOfState(const dem::bodies& state)
         h.add(state.mass[b]);
         h.add(state.x[b]);
         h.add(state.v[b]);
-        h.add(state.L[b]);
+        h.add(state.L(b));
         h.add(state.q[b].w());
         h.add(state.q[b].v());
     }

@@ -40,7 +40,7 @@ vector angularMomentum(const Foam::dem::bodies& b)
     vector sum(Foam::Zero);
     for (label i = 0; i < b.size(); ++i)
     {
-        sum += b.L[i] + (b.x[i] ^ (b.mass[i]*b.v[i]));
+        sum += b.L(i) + (b.x[i] ^ (b.mass[i]*b.v[i]));
     }
     return sum;
 }
@@ -256,7 +256,7 @@ TEST(demCollision, removal)
     for (label i = 0; i < 2; ++i)
     {
         EXPECT_EQ(with.state().x[i], without.state().x[i]);
-        EXPECT_EQ(with.state().L[i], without.state().L[i]);
+        EXPECT_EQ(with.state().L(i), without.state().L(i));
         EXPECT_EQ(with.state().force[i], without.state().force[i]);
     }
 

@@ -336,7 +336,10 @@ TEST(demContactStep, restartIsUninterrupted)
     second.state().x = first.state().x;
     second.state().v = first.state().v;
     second.state().q = first.state().q;
-    second.state().L = first.state().L;
+    forAll(second.state().x, k)
+    {
+        second.state().setL(k, first.state().L(k));
+    }
     second.state().update();
     second.solver().setHistory(first.solver().history());
     second.solver().readCounters(counters);

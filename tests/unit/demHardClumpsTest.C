@@ -216,7 +216,7 @@ TEST(demHardClumps, fiveHundredOnOne)
         vector L(Foam::Zero);
         for (label b = 0; b < 2; ++b)
         {
-            L += c.state().L[b]
+            L += c.state().L(b)
               + c.state().mass[b]*(c.state().x[b] ^ c.state().v[b]);
         }
         return L;
@@ -317,10 +317,10 @@ TEST(demHardClumps, rodAboutMiddleAxis)
     {
         inBody[d] = I[d]*omega*(I[d] == middle ? 1 : 1e-3);
     }
-    b.L[0] = b.q[0].R() & inBody;
+    b.setL(0, b.q[0].R() & inBody);
     b.update();
 
-    const vector L0 = b.L[0];
+    const vector L0 = b.L(0);
     const scalar e0 = b.kineticEnergy();
     scalar energy = 0;
     label nFlips = 0;
@@ -333,7 +333,7 @@ TEST(demHardClumps, rodAboutMiddleAxis)
         {
             if (I[d] == middle)
             {
-                const bool now = (b.q[0].R().T() & b.L[0])[d] > 0;
+                const bool now = (b.q[0].R().T() & b.L(0))[d] > 0;
                 nFlips += now != up;
                 up = now;
             }
@@ -342,7 +342,7 @@ TEST(demHardClumps, rodAboutMiddleAxis)
     EXPECT_GT(nFlips, 50);
     figure("hard12_energy", energy, 0, 1e-6, "-",
         "1,000 turns about the middle axis, 4,000 steps a turn");
-    figure("hard12_angularMomentum", mag(b.L[0] - L0)/mag(L0), 0, 1e-10, "-",
+    figure("hard12_angularMomentum", mag(b.L(0) - L0)/mag(L0), 0, 1e-10, "-",
         "the same");
 }
 

@@ -69,10 +69,12 @@ TEST(demHeld, forcesOfTheFluid)
 }
 
 
-TEST(demHeld, memoryOfContacts)
+//- How many numbers of lanes are lost
+template<class Number>
+static label lostNumbers()
 {
     const label W = 4, n = 3;
-    laneNumbers numbers;
+    laneNumbers<Number> numbers;
     label lost = 0;
     const auto check = [&](const label lane, const scalar value)
     {
@@ -109,6 +111,13 @@ TEST(demHeld, memoryOfContacts)
     check(5, 399);
     check(4, 4);
     check(6, 6);
+    return lost;
+}
+
+
+TEST(demHeld, memoryOfContacts)
+{
+    const label lost = lostNumbers<double>() + lostNumbers<float>();
     styxTest::figure
     (
         "laneNumbers_lost", lost, 0, 0, "numbers", "what was written"

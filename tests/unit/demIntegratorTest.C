@@ -110,8 +110,10 @@ public:
             Foam::scalar(0.7)
         );
         state_.append(n);
-        state_.L[0] =
-            state_.q[0].transform(vector(1*0.01, 2*1, 3*0.01));
+        state_.setL
+        (
+            0, state_.q[0].transform(vector(1*0.01, 2*1, 3*0.01))
+        );
         state_.update();
     }
 
@@ -185,7 +187,7 @@ TEST(demIntegrator, asymmetricTop)
 
     top t;
     const scalar e0 = t.state().kineticEnergy();
-    const vector L0 = t.state().L[0];
+    const vector L0 = t.state().L(0);
 
     // The first component starts at its positive crest w0 cn(0) and passes
     // zero upwards once a period
@@ -209,7 +211,7 @@ TEST(demIntegrator, asymmetricTop)
         }
         energy =
             std::max(energy, std::abs(t.state().kineticEnergy()/e0 - 1));
-        momentum = std::max(momentum, mag(t.state().L[0] - L0)/mag(L0));
+        momentum = std::max(momentum, mag(t.state().L(0) - L0)/mag(L0));
     }
 
     EXPECT_GE(nPasses, 100);
@@ -260,7 +262,7 @@ TEST(demIntegrator, orderOfRotation)
         top t;
         const auto method = stormerVerlet();
         bodies& s = t.state();
-        s.L[0] *= 0.5;
+        s.setL(0, 0.5*s.L(0));
         s.update();
 
         const integrator::forces force = [&](const scalar time, const scalar)
@@ -276,7 +278,7 @@ TEST(demIntegrator, orderOfRotation)
         {
             moveBodies(*method, s, i*dt, dt, force);
         }
-        return s.q[0].transform(vector(1, 1, 1)) + s.L[0];
+        return s.q[0].transform(vector(1, 1, 1)) + s.L(0);
     };
 
     const vector a = end(0.02);

@@ -268,7 +268,10 @@ TEST(demPeriodic, historyGoesOn)
     const auto b = make();
     b->state().x = a->state().x;
     b->state().v = a->state().v;
-    b->state().L = a->state().L;
+    forAll(b->state().x, k)
+    {
+        b->state().setL(k, a->state().L(k));
+    }
     b->state().update();
     b->solver().setHistory(saved);
     Foam::dictionary counters;

@@ -137,8 +137,8 @@ public:
         state_.x[0] = x;
         state_.update();
         const packedBodies packed(state_);
-        walls.build(packed, Foam::scalarList(1, 0.05), 0.05);
-        walls.narrow(packed, Foam::scalarList(1, 0.02));
+        walls.build(packed, {0.05f}, 0.05);
+        walls.narrow(packed, {0.02f});
         walls.findTouches(packed);
         return walls.planes().size();
     }

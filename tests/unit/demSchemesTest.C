@@ -185,7 +185,7 @@ vector turned(const std::string& name, const label n)
     (
         0, Foam::quaternion(vector(1, 2, 3)/std::sqrt(14.0), scalar(0.7))
     );
-    s.L[0] = vector(2, 3, 1);
+    s.setL(0, vector(2, 3, 1));
     s.update();
     b.run
     (
@@ -203,7 +203,7 @@ vector turned(const std::string& name, const label n)
                *(vector(0, 0, 1) ^ q.transform(vector(1, 0.5, 0.2)));
         }
     );
-    return s.q[0].transform(vector(1, 1, 1)) + s.L[0];
+    return s.q[0].transform(vector(1, 1, 1)) + s.L(0);
 }
 
 
@@ -569,7 +569,7 @@ TEST(demSchemes, undone)
             nDifferent +=
                 a.state().x[i] != b.state().x[i]
              || a.state().v[i] != b.state().v[i]
-             || a.state().L[i] != b.state().L[i]
+             || a.state().L(i) != b.state().L(i)
              || a.state().q[i] != b.state().q[i];
         }
         figure

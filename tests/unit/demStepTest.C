@@ -235,7 +235,7 @@ TEST(demStep, undoneWithoutTrace)
             nDifferent +=
                 a.state().x[i] != b.state().x[i]
              || a.state().v[i] != b.state().v[i]
-             || a.state().L[i] != b.state().L[i]
+             || a.state().L(i) != b.state().L(i)
              || a.state().force[i] != b.state().force[i]
              || a.state().torque[i] != b.state().torque[i]
              || a.state().q[i] != b.state().q[i];

@@ -149,7 +149,7 @@ TEST(demSweep, instructions)
     // What it is worth: all have hit something, and no longer fall freely
     for (label b = 0; b < expected.state().size(); ++b)
     {
-        EXPECT_GT(mag(expected.state().L[b]), 0);
+        EXPECT_GT(mag(expected.state().L(b)), 0);
         EXPECT_GT(expected.state().v[b].z(), b % 2 ? -0.95 : -0.45) << b;
     }
 
@@ -192,30 +192,38 @@ TEST(demSweep, wayLeft)
           : name == "avx2" ? Foam::dem::sweepAvx2
           : Foam::dem::sweepAvx512;
         scalar off = 0;
-        for (int n = 1; n < 36; ++n)
+        for (int k = 2; k < 72; ++k)
         {
+            const int n = k/2;
+            const bool shifted = k % 2;
             std::vector<Foam::dem::quadPair> xv(n);
-            std::vector<point> from(n);
-            std::vector<double> may(n, 10);
+            std::vector<double> from(3*n);
+            std::vector<float> offset(3*n), may(n, 10);
             for (int s = 0; s < n; ++s)
             {
-                from[s] = point(s, -0.3*s, 0.1*s);
-                const point x(from[s] + 0.5*(1 + s % 3)*vector(2, -3, 6)/7);
+                const point x0(s, -0.3*s, 0.1*s);
+                const point x(x0 + 0.5*(1 + s % 3)*vector(2, -3, 6)/7);
                 xv[s] = {{x.x(), x.y(), x.z(), 1e9}, {1e9, 1e9, 1e9, 1e9}};
+                for (int d = 0; d < 3; ++d)
+                {
+                    offset[s + d*n] = 0.25*(d + s % 2);
+                    from[s + d*n] = x0[d] - shifted*offset[s + d*n];
+                }
             }
+            const float* by = shifted ? offset.data() : nullptr;
             for (int s = 0; s < n; ++s)
             {
                 may[s] = 1;
                 const double left = sweeps.wayLeft
                 (
-                    xv.data(), from[0].cdata(), may.data(), n
+                    xv.data(), from.data(), by, may.data(), n
                 );
                 off = Foam::max(off, Foam::mag(left - 1 + 0.5*(1 + s % 3)));
                 may[s] = 10;
             }
             EXPECT_GT
             (
-                sweeps.wayLeft(xv.data(), from[0].cdata(), may.data(), 0),
+                sweeps.wayLeft(xv.data(), from.data(), by, may.data(), 0),
                 1e100
             );
         }

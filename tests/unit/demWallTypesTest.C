@@ -619,7 +619,7 @@ TEST(demWallTypes, pairCostFull)
         );
     }
     const packedBodies packed(state);
-    walls.build(packed, Foam::scalarList(packed.nSpheres(), 1e-4), 1e-4);
+    walls.build(packed, std::vector<float>(packed.nSpheres(), 1e-4f), 1e-4);
     const label nNear = 4*21*24 + 21*21;
 
     scalar best = Foam::GREAT;

@@ -144,7 +144,8 @@ public:
         state_.x[0] = x;
         state_.update();
         const packedBodies packed(state_);
-        walls_.build(packed, Foam::scalarList(packed.nSpheres(), 0.05), 0.05);
+        const std::vector<float> may(packed.nSpheres(), 0.05f);
+        walls_.build(packed, may, 0.05);
         walls_.findTouches(packed);
         return walls_.trial();
     }
@@ -153,7 +154,7 @@ public:
     const Foam::UList<wallTouch>& from(const point& before, const point& x)
     {
         at(before);
-        walls_.narrow(packedBodies(state_), Foam::scalarList(1, 0.02));
+        walls_.narrow(packedBodies(state_), {0.02f});
         state_.x[0] = x;
         state_.update();
         walls_.findTouches(packedBodies(state_));

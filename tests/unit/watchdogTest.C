@@ -66,7 +66,7 @@ string complaintAfter(const std::function<void(dem::bodies&)>& spoil)
     (
         dem::watchdog::advance
         {
-            start, start.x, now, labelUList(), Zero, 1e-4, dem::periodicity(),
+            start, now, labelUList(), Zero, 1e-4, dem::periodicity(),
             room, true, true, 0, dem::packedDrag()
         }
     );

@@ -24,6 +24,8 @@ Description
 #include "demCloud.H"
 #include "progressReport.H"
 
+#include <malloc.h>
+
 using namespace Foam;
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
@@ -31,6 +33,10 @@ using namespace Foam;
 int main(int argc, char *argv[])
 {
     argList::addNote("Moves rigid particles without a fluid.");
+
+    // Lists of a large scene that are freed leave no holes, into which the
+    // next ones, which are a little larger, would not fit
+    mallopt(M_MMAP_THRESHOLD, 2 << 20);
 
     #include "setRootCase.H"
     #include "createTime.H"

@@ -78,7 +78,7 @@ void readBodies
         state.append(n);
 
         state.q.set(b, q);
-        state.L[b] = L[b];
+        state.setL(b, L[b]);
         state.omega[b] = omega[b];
         state.updateSpheres(b);
     }

@@ -142,15 +142,17 @@ Foam::autoPtr<Foam::IOdictionary> Foam::cloudState::write
 
     vectorField axis(state.size());
     scalarField w(state.size());
+    vectorField L(state.size());
     forAll(axis, b)
     {
         axis[b] = state.q[b].v();
         w[b] = state.q[b].w();
+        L[b] = state.L(b);
     }
     out.write("position", state.x);
     out.write("rotation", axis);
     out.write("rotationW", w);
-    out.write("angularMomentum", state.L);
+    out.write("angularMomentum", L);
     out.write("material", state.materialI);
 
     if (immersed)

@@ -95,7 +95,7 @@ void Foam::demCloud::checkFinite() const
     forAll(state.x, b)
     {
         const scalar all =
-            magSqr(state.x[b]) + magSqr(state.v[b]) + magSqr(state.L[b]);
+            magSqr(state.x[b]) + magSqr(state.v[b]) + magSqr(state.L(b));
         if (!(all < ROOTVGREAT))
         {
             FatalErrorInFunction

@@ -29,9 +29,22 @@ void Foam::coupling::bodyCells::look
         depth = c != near ? bins_.depth(x, c) : -1;
     }
     cell_[b] = c;
-    x_[b] = x;
-    safe_[b] = depth > 0 ? sqr(depth) : -1;
+    const vector at(x - corner_);
+    x_[b] = FixedList<float, 3>{float(at.x()), float(at.y()), float(at.z())};
+
+    // What rounding moves it by is not safe
+    depth -= 2e-7*(mag(at) + depth);
+    safe_[b] = depth > 0 ? float(sqr(depth)) : -1;
 }
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::coupling::bodyCells::bodyCells(const cellBins& bins)
+:
+    bins_(bins),
+    corner_(bins.mesh().bounds().min())
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -47,7 +60,7 @@ const Foam::labelList& Foam::coupling::bodyCells::find
     {
         forAll(state.x, b)
         {
-            if (magSqr(state.x[b] - x_[b]) > safe_[b])
+            if (mayHaveLeft(b, state.x[b]))
             {
                 look(state.x[b], b, cell_[b]);
             }

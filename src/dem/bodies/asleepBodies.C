@@ -15,7 +15,7 @@ License
 void Foam::dem::asleepBodies::set
 (
     const UList<bool>& body,
-    const UList<label>& sphereBody,
+    const heldPlaces& sphereBody,
     const std::vector<quadPair>& fluid
 )
 {

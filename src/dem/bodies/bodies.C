@@ -88,14 +88,16 @@ Foam::label Foam::dem::bodies::append(const newBody& n)
     v.append(n.velocity);
     q.append(unit(n.orientation*quaternion(s.toUser())));
     omega.append(n.angularVelocity);
-    L.append(Zero);
     force.append(Zero);
     torque.append(Zero);
     fluidForce.append(Zero);
     fluidTorque.append(Zero);
 
-    L[b] = inertiaTensor(b) & n.angularVelocity;
     appendSpheres(b);
+    if (!s.isSphere())
+    {
+        L_[b] = inertiaTensor(b) & n.angularVelocity;
+    }
     byId_.clear();
 
     return b;
@@ -106,7 +108,7 @@ Foam::dem::bodyRecord Foam::dem::bodies::record(const label b) const
 {
     return bodyRecord
     {
-        id[b], shapeI[b], materialI[b], mass[b], x[b], v[b], q[b], L[b],
+        id[b], shapeI[b], materialI[b], mass[b], x[b], v[b], q[b], L(b),
         omega[b], force[b], torque[b], fluidForce[b], fluidTorque[b]
     };
 }
@@ -117,10 +119,10 @@ void Foam::dem::bodies::setState(const label b, const bodyRecord& r)
     x[b] = r.x;
     v[b] = r.v;
     q.set(b, r.q);
-    L[b] = r.L;
+    setL(b, r.L);
     omega[b] = r.omega;
-    force[b] = r.force;
-    torque[b] = r.torque;
+    force.set(b, r.force);
+    torque.set(b, r.torque);
     fluidForce.set(b, r.fluidForce);
     fluidTorque.set(b, r.fluidTorque);
     updateSpheres(b);
@@ -184,6 +186,18 @@ void Foam::dem::bodies::take
     const UList<bodyRecord>& others
 )
 {
+    bool balls = allBalls_;
+    for (const bodyRecord& r : others)
+    {
+        balls = balls && shapes_[r.shapeI].isSphere();
+    }
+    List<vector> momenta(balls ? 0 : from.size());
+    forAll(momenta, i)
+    {
+        const label k = from[i];
+        momenta[i] = k < size() ? L(k) : others[k - size()].L;
+    }
+
     gather(id, from, others, &bodyRecord::id);
     gather(shapeI, from, others, &bodyRecord::shapeI);
     gather(materialI, from, others, &bodyRecord::materialI);
@@ -191,22 +205,27 @@ void Foam::dem::bodies::take
     gather(x, from, others, &bodyRecord::x);
     gather(v, from, others, &bodyRecord::v);
     gatherHeld(q, from, others, &bodyRecord::q);
-    gather(L, from, others, &bodyRecord::L);
     gather(omega, from, others, &bodyRecord::omega);
-    gather(force, from, others, &bodyRecord::force);
-    gather(torque, from, others, &bodyRecord::torque);
+    gatherHeld(force, from, others, &bodyRecord::force);
+    gatherHeld(torque, from, others, &bodyRecord::torque);
     gatherHeld(fluidForce, from, others, &bodyRecord::fluidForce);
     gatherHeld(fluidTorque, from, others, &bodyRecord::fluidTorque);
     byId_.clear();
 
-    firstSphere.setSize(1);
+    firstSphere.clear();
+    firstSphere.append(0);
     sphereBody.clear();
     sphereX_.clearStorage();
+    L_.clearStorage();
     allBalls_ = true;
     sphereR.clear();
     forAll(x, b)
     {
         appendSpheres(b);
+    }
+    if (!allBalls_)
+    {
+        L_.transfer(momenta);
     }
 }
 
@@ -215,6 +234,7 @@ void Foam::dem::bodies::appendSpheres(const label b)
 {
     if (allBalls_ && !shapeOf(b).isSphere())
     {
+        L_.setSize(b, Zero);
         allBalls_ = false;
         sphereX_ = SubList<point>(x, b);
     }
@@ -226,6 +246,10 @@ void Foam::dem::bodies::appendSpheres(const label b)
         {
             sphereX_.append(Zero);
         }
+    }
+    if (!allBalls_)
+    {
+        L_.append(Zero);
     }
     firstSphere.append(sphereR.size());
     updateSpheres(b);
@@ -266,6 +290,16 @@ Foam::vector Foam::dem::bodies::omegaFrom
 }
 
 
+void Foam::dem::bodies::setL(const label b, const vector& angularMomentum)
+{
+    omega[b] = omegaFrom(b, angularMomentum);
+    if (!shapeOf(b).isSphere())
+    {
+        L_[b] = angularMomentum;
+    }
+}
+
+
 Foam::tensor Foam::dem::bodies::inertiaTensor(const label b) const
 {
     const tensor R = q[b].R();
@@ -303,7 +337,7 @@ void Foam::dem::bodies::update()
 {
     forAll(x, b)
     {
-        omega[b] = omegaFrom(b, L[b]);
+        omega[b] = omegaFrom(b, L(b));
         updateSpheres(b);
     }
 }
@@ -320,7 +354,7 @@ Foam::scalar Foam::dem::bodies::kineticEnergy() const
     scalar e = 0;
     forAll(x, b)
     {
-        e += 0.5*mass[b]*magSqr(v[b]) + 0.5*(L[b] & omega[b]);
+        e += 0.5*mass[b]*magSqr(v[b]) + 0.5*(L(b) & omega[b]);
     }
     return e;
 }

@@ -44,7 +44,7 @@ void Foam::dem::packedBodies::packClump(const bodies& state, const label b)
     c.x = state.x[b];
     c.v = state.v[b];
     c.q = state.q[b];
-    c.L = state.L[b];
+    c.L = state.L(b);
     c.omega = state.omega[b];
     c.q0 = c.q;
 
@@ -243,7 +243,6 @@ void Foam::dem::packedBodies::unpack(bodies& state) const
         end(b, vectorOf(now_.v(s)), g_ + mInverse*f);
         const scalar turn = quadRecords::surface*pending_*mInverse;
         state.omega[b] = (vectorOf(now_.w[s]) + turn*t)/r;
-        state.L[b] = state.inertia(b).x()*state.omega[b];
     }
 
     for (const int k : ownClump_)
@@ -255,9 +254,7 @@ void Foam::dem::packedBodies::unpack(bodies& state) const
         state.force[c.body] = F + c.mass*g_;
         state.torque[c.body] = T;
         end(c.body, c.v, g_ + F/c.mass);
-        state.L[c.body] = c.L + pending_*T;
-        state.omega[c.body] =
-            angularVelocity(c.q, state.L[c.body], c.inertia);
+        state.setL(c.body, c.L + pending_*T);
     }
     if (asleep_.any())
     {
@@ -269,20 +266,6 @@ void Foam::dem::packedBodies::unpack(bodies& state) const
 void Foam::dem::packedBodies::setInstructions(const sweepSet& sweeps)
 {
     sweeps_ = &sweeps;
-}
-
-
-void Foam::dem::packedBodies::setPositions(const bodies& state)
-{
-    for (label s = 0; s < nSpheres_; ++s)
-    {
-        now_.x(s) = record(state.sphereX()[s], now_.x(s).w);
-    }
-    for (clump& c : clumps_)
-    {
-        c.x = state.x[c.body];
-    }
-    asleep_.setStale();
 }
 
 
@@ -446,12 +429,12 @@ Foam::scalar Foam::dem::packedBodies::paths(std::vector<path>& all) const
 
 Foam::scalar Foam::dem::packedBodies::wayLeft
 (
-    const pointField& x,
-    const scalarField& may
+    const scalar* x,
+    const float* offset,
+    const float* may
 ) const
 {
-    const double* from = reinterpret_cast<const double*>(x.cdata());
-    return sweeps_->wayLeft(now_.xv.data(), from, may.cdata(), x.size());
+    return sweeps_->wayLeft(now_.xv.data(), x, offset, may, nSpheres_);
 }
 
 

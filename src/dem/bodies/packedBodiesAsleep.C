@@ -38,7 +38,8 @@ void Foam::dem::packedBodies::unpackAsleep(bodies& state) const
         }
         state.force[b] = F + state.mass[b]*g_;
         state.torque[b] = T;
-        state.v[b] = state.omega[b] = state.L[b] = Zero;
+        state.v[b] = Zero;
+        state.setL(b, Zero);
         if (!given_.given.empty())
         {
             state.dragGiven[b] = given_.given[b];

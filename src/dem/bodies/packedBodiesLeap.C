@@ -336,4 +336,35 @@ Foam::dem::packedEnd Foam::dem::packedBodies::end
 }
 
 
+void Foam::dem::packedBodies::setPositions(const bodies& state)
+{
+    for (label s = 0; s < nSpheres_; ++s)
+    {
+        now_.x(s) = record(state.sphereX()[s], now_.x(s).w);
+    }
+    for (clump& c : clumps_)
+    {
+        c.x = state.x[c.body];
+    }
+    asleep_.setStale();
+}
+
+
+void Foam::dem::packedBodies::shift(const label b, const vector& by)
+{
+    const label p = place_[b];
+    const label first = p >= 0 ? clumps_[p].first : -1 - p;
+    const label last = p >= 0 ? clumps_[p].last : first + 1;
+    for (label s = first; s < last; ++s)
+    {
+        now_.x(s) = record(centre(s) + by, now_.x(s).w);
+    }
+    if (p >= 0)
+    {
+        clumps_[p].x += by;
+    }
+    asleep_.setStale();
+}
+
+
 // ************************************************************************* //

@@ -394,19 +394,23 @@ void Foam::dem::bodyExchange::reachOut
     const scalar reach = reachOf(list, all_->sphereR);
     List<DynamicList<label>> toRanks(nearRanks(x, radius, reach, period_));
 
-    list.drop();
-    for (const auto* histories : {&list.kept(), &list.keptBridges()})
+    const auto tellBoth = [&](const verletList::spherePair& p)
     {
-        for (const auto& h : *histories)
+        const label a = all_->sphereBody[p.i];
+        const label b = all_->sphereBody[p.j];
+        if (rank_[a] != rank_[b])
         {
-            const label a = all_->sphereBody[h.pair.i];
-            const label b = all_->sphereBody[h.pair.j];
-            if (rank_[a] != rank_[b])
-            {
-                const bool first = ownIndex[a] >= 0;
-                toRanks[rank_[first ? b : a]].append(ownIndex[first ? a : b]);
-            }
+            const bool first = ownIndex[a] >= 0;
+            toRanks[rank_[first ? b : a]].append(ownIndex[first ? a : b]);
         }
+    };
+    list.forEachTouching
+    (
+        [&](const verletList::spherePair& p, const vector&) { tellBoth(p); }
+    );
+    for (const verletList::pairHistory& h : list.bridges())
+    {
+        tellBoth(h.pair);
     }
     for (DynamicList<label>& bodies : toRanks)
     {
@@ -417,7 +421,7 @@ void Foam::dem::bodyExchange::reachOut
         );
     }
 
-    const labelList formerFirst(all_->firstSphere);
+    const labelList formerFirst(all_->firstSphere.list());
     const labelList source(arrange(toRanks));
     if (drag_.acts())
     {

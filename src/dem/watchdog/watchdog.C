@@ -69,21 +69,21 @@ Foam::dem::watchdog::sums Foam::dem::watchdog::sumsOf(const advance& a)
         const packedEnd end(a.now.end(a.place(b), drag));
         const scalar m = start.mass[b];
         s.before +=
-            0.5*m*magSqr(start.v[b]) + 0.5*(start.L[b] & start.omega[b]);
+            0.5*m*magSqr(start.v[b]) + 0.5*(start.L(b) & start.omega[b]);
         s.now += 0.5*m*magSqr(end.v) + 0.5*(end.L & end.omega);
 
         const vector F = start.fluidForce[b] + m*a.g;
         if (!dragged)
         {
             s.work +=
-                F & wayFrom(a.x[b], a.now.position(a.place(b)), a.period);
+                F & wayFrom(start.x[b], a.now.position(a.place(b)), a.period);
         }
         s.gained += m*(end.v - start.v[b]);
         s.impulse += a.dt*F;
         s.largest +=
             0.5*m*magSqr(start.v[b])
            *(dragged ? 1/start.drag->massShare(b) : 1)
-          + 0.5*(start.L[b] & start.omega[b]);
+          + 0.5*(start.L(b) & start.omega[b]);
         s.size += m*mag(start.v[b]) + a.dt*mag(F);
         s.mass += m;
         s.given += 0.5*sqr(a.dt)*magSqr(F)/m;

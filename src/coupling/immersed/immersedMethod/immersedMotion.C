@@ -189,8 +189,7 @@ void Foam::coupling::immersedMethod::move(const label b)
         (L - L0_[b] - JL)/dt + (B & (inverseB & JL))/dt;
 
     state.v[b] = v;
-    state.L[b] = L;
-    state.omega[b] = state.omegaFrom(b, L);
+    state.setL(b, L);
 }
 
 
@@ -238,7 +237,11 @@ void Foam::coupling::immersedMethod::store()
 {
     const dem::bodies& state = dem_.state();
     v0_ = state.v;
-    L0_ = state.L;
+    L0_.setSize(state.size());
+    forAll(L0_, b)
+    {
+        L0_[b] = state.L(b);
+    }
     omega0_ = state.omega;
 }
 
@@ -369,7 +372,7 @@ Foam::vector Foam::coupling::immersedMethod::fluidTorque(const label b) const
         return torque_[b];
     }
     return
-        (dem_.state().L[b] - L0_[b])/mesh_.time().deltaTValue()
+        (dem_.state().L(b) - L0_[b])/mesh_.time().deltaTValue()
       - contactTorque_[b];
 }
 

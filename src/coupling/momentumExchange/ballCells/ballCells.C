@@ -184,7 +184,7 @@ void Foam::coupling::ballCells::findShared
 )
 {
     const label n = state.nSpheres();
-    bodyOfAll_ = state.sphereBody;
+    bodyOfAll_ = state.sphereBody.list();
     findShares(state, kinds);
 
     DynamicList<point> points(state.sphereX());

@@ -80,40 +80,14 @@ void Foam::dem::demSolver::checkShape
 }
 
 
-Foam::List<Foam::labelVector> Foam::dem::demSolver::takeIn
-(
-    bodies& state,
-    const scalar slack
-) const
+void Foam::dem::demSolver::takeIn()
 {
     const periodicity& period = input_.period;
-    List<labelVector> turns;
-    if (!period.active())
+    for (label b = 0; b < state_.size() && period.active(); ++b)
     {
-        return turns;
+        state_.x[b] += period.shift(period.turns(state_.x[b], 0));
+        state_.updateSpheres(b);
     }
-
-    bool any = false;
-    forAll(state.x, b)
-    {
-        any = any || period.turns(state.x[b], slack) != labelVector::zero;
-    }
-    if (!group_.any(any))
-    {
-        return turns;
-    }
-
-    turns.setSize(state.size(), labelVector::zero);
-    forAll(state.x, b)
-    {
-        turns[b] = period.turns(state.x[b], 0);
-        if (turns[b] != labelVector::zero)
-        {
-            state.x[b] += period.shift(turns[b]);
-            state.updateSpheres(b);
-        }
-    }
-    return turns;
 }
 
 
@@ -187,7 +161,7 @@ void Foam::dem::demSolver::readBodies()
         }
         share(n);
     }
-    takeIn(state_, 0);
+    takeIn();
 }
 
 

@@ -72,14 +72,29 @@ void Foam::dem::hadesSolver::crossSeams(const scalar slack)
         return;
     }
 
-    packed_.unpackPositions(moving());
-    const List<labelVector> turns(takeIn(moving(), slack));
-    if (turns.size())
+    // The bodies stay where the advance began: it may be gone back over
+    const periodicity& period = input_.period;
+    List<labelVector> turns(packed_.size());
+    bool any = false;
+    forAll(turns, b)
     {
-        list_.turn(moving(), turns);
-        packed_.setPositions(moving());
-        untilOut_ = slack;
+        const point x(packed_.position(b));
+        any = any || period.turns(x, slack) != labelVector::zero;
+        turns[b] = period.turns(x, 0);
     }
+    if (!group_.any(any))
+    {
+        return;
+    }
+    forAll(turns, b)
+    {
+        if (turns[b] != labelVector::zero)
+        {
+            packed_.shift(b, period.shift(turns[b]));
+        }
+    }
+    list_.turn(moving(), turns);
+    untilOut_ = slack;
 }
 
 
@@ -415,6 +430,9 @@ void Foam::dem::hadesSolver::advance(const scalar t0, const scalar t1)
 
     checkFinite(t0);
 
+    // Those of the last advance make room
+    state_.force.forget();
+    state_.torque.forget();
     if (watchdog_.valid())
     {
         keepStart();

@@ -15,7 +15,7 @@ License
 
 void Foam::dem::hadesSolver::take(const labelUList& from)
 {
-    const labelList formerFirst(state_.firstSphere);
+    const labelList formerFirst(state_.firstSphere.list());
     state_.take(from);
     const labelList newSphere(state_.sphereMap(formerFirst, from));
     list_.renumber(newSphere);

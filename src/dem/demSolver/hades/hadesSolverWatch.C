@@ -86,6 +86,7 @@ void Foam::dem::hadesSolver::keepStart()
     const bool whole = laws.rollsBack() || laws.coheres("capillary");
     advanceStart& s = start_;
     s.touching.clear();
+    s.names.clear();
     s.slip.clear();
     s.state.clear();
     if (whole && exchange_.valid())
@@ -102,20 +103,20 @@ void Foam::dem::hadesSolver::keepStart()
         (
             [&](const verletList::spherePair& p, const vector& xi)
             {
-                for (const label sphere : {p.i, p.j})
+                if (exchange_.valid())
                 {
-                    if (exchange_.valid())
+                    for (const label sphere : {p.i, p.j})
                     {
                         const sphereName name(exchange_->nameOf(sphere));
-                        s.touching.append(name.body);
-                        s.touching.append(name.sphere);
+                        s.names.append(name.body);
+                        s.names.append(name.sphere);
                     }
-                    else
-                    {
-                        s.touching.append(sphere);
-                    }
+                    s.names.append(p.image);
                 }
-                s.touching.append(p.image);
+                else
+                {
+                    s.touching.add(p);
+                }
                 s.slip.append(xi);
             }
         );
@@ -129,11 +130,6 @@ void Foam::dem::hadesSolver::keepStart()
         s.whole.walls = walls_.together().accepted;
     }
 
-    if (input_.period.active() && !exchange_.valid())
-    {
-        s.x = state_.x;
-        s.q = state_.q;
-    }
     s.control.clear();
     control_->writeState(s.control);
     if (sleepers_.valid())
@@ -146,23 +142,15 @@ void Foam::dem::hadesSolver::keepStart()
 void Foam::dem::hadesSolver::goBack()
 {
     advanceStart& s = start_;
-    if (s.x.size())
-    {
-        state_.x = s.x;
-        state_.q = s.q;
-    }
     if (s.state.valid())
     {
         state_.x = s.state->x;
         state_.v = s.state->v;
-        state_.L = s.state->L;
-        state_.omega = s.state->omega;
         state_.q = s.state->q;
-    }
-    if (s.x.size() || s.state.valid())
-    {
         forAll(state_.x, b)
         {
+            state_.setL(b, s.state->L(b));
+            state_.omega[b] = s.state->omega[b];
             state_.updateSpheres(b);
         }
     }
@@ -172,31 +160,32 @@ void Foam::dem::hadesSolver::goBack()
         *sleepers_ = *s.asleep;
     }
 
-    const label nNumbers = exchange_.valid() ? 5 : 3;
-    DynamicList<verletList::pairHistory> pairs(s.slip.size());
+    DynamicList<verletList::pairHistory> pairs;
     DynamicList<namedPair> named(s.pairs);
-    forAll(s.slip, k)
+    label n = 0;
+    const auto historyOf = [&](const verletList::spherePair& p)
     {
-        const label* of = &s.touching[nNumbers*k];
         verletList::pairHistory h;
-        h.xi = s.slip[k];
-        h.pair.image = of[nNumbers - 1];
-        if (exchange_.valid())
-        {
-            named.append
-            (
-                namedPair
-                {
-                    sphereName{of[0], of[1]}, sphereName{of[2], of[3]}, h
-                }
-            );
-        }
-        else
-        {
-            h.pair.i = of[0];
-            h.pair.j = of[1];
-            pairs.append(h);
-        }
+        h.pair = p;
+        h.xi = s.slip[n++];
+        return h;
+    };
+    s.touching.forEach([&](const verletList::spherePair& p)
+    {
+        pairs.append(historyOf(p));
+    });
+    for (label k = 0; k < s.names.size(); k += 5)
+    {
+        const label* of = &s.names[k];
+        named.append
+        (
+            namedPair
+            {
+                sphereName{of[0], of[1]},
+                sphereName{of[2], of[3]},
+                historyOf(verletList::spherePair(-1, -1, of[4]))
+            }
+        );
     }
     if (exchange_.valid())
     {
@@ -235,8 +224,6 @@ Foam::string Foam::dem::hadesSolver::wrongIn(const scalar length)
         watchdog::advance
         {
             start,
-            start_.x.size() ? static_cast<const UList<point>&>(start_.x)
-          : start.x,
             packed_,
             exchange_.valid() ? exchange_->own() : asTheyAre,
             g(),

@@ -287,7 +287,7 @@ Foam::dem::overlapRelaxation::result Foam::dem::overlapRelaxation::run()
         sum.mean += mag(way)/start.size();
 
         // The spin is what was given, not the angular momentum
-        state_.L[b] = state_.inertiaTensor(b) & state_.omega[b];
+        state_.setL(b, state_.inertiaTensor(b) & state_.omega[b]);
     }
     return sum;
 }

@@ -6,12 +6,14 @@ License
     This file is part of Styx, which is free software: GPL-3.0-or-later,
     without any warranty. See the file COPYING.
 
-Class
-
 \*---------------------------------------------------------------------------*/
 
 #include "contactBlocks.H"
+#include "areMany.H"
 #include "pairRuns.H"
+
+#include <algorithm>
+#include <numeric>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -44,6 +46,105 @@ void Foam::dem::contactBlocks::move(const label from, const label to)
     if (rolls_)
     {
         now_.rolled.move(from, 4, to, nLanes_);
+    }
+}
+
+
+void Foam::dem::contactBlocks::put(const label lane, const pairHistory& h)
+{
+    i_[lane] = 8*h.pair.i;
+    j_[lane] = 8*h.pair.j;
+    if (!image_.empty())
+    {
+        image_[lane] = h.pair.image;
+    }
+    if (slips_)
+    {
+        now_.xi.put(h.xi.cdata(), 3, lane, nLanes_);
+    }
+    if (moves_)
+    {
+        now_.rate.put(h.rate, 4, lane, nLanes_);
+    }
+    if (rolls_)
+    {
+        now_.rolled.put(h.rolled, 4, lane, nLanes_);
+    }
+}
+
+
+std::vector<Foam::label> Foam::dem::contactBlocks::orderOf
+(
+    const label n
+) const
+{
+    const auto sooner = [&](const label a, const label b)
+    {
+        return before(pairInLane(a), pairInLane(b));
+    };
+    label last = -1;
+    bool sorted = true;
+    for (label k = 0; k < n; ++k)
+    {
+        last = max(last, i_[k]/8);
+        sorted = sorted && (k == 0 || !sooner(k, k - 1));
+    }
+    std::vector<label> order;
+    if (sorted)
+    {
+        return order;
+    }
+
+    // Into buckets by the first sphere, those through seams into the last one
+    std::vector<label> begin(last + 3, 0);
+    const auto bucket = [&](const label k)
+    {
+        return
+            image_.empty() || image_[k] == periodicity::original
+          ? i_[k]/8 : last + 1;
+    };
+    for (label k = 0; k < n; ++k)
+    {
+        ++begin[bucket(k) + 1];
+    }
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    order.resize(n);
+    for (label k = 0; k < n; ++k)
+    {
+        order[begin[bucket(k)]++] = k;
+    }
+
+    // Where a bucket began is now where it ends
+    label from = 0;
+    for (label b = 0; b <= last + 1; ++b)
+    {
+        std::sort(order.begin() + from, order.begin() + begin[b], sooner);
+        from = begin[b];
+    }
+    return order;
+}
+
+
+void Foam::dem::contactBlocks::reorder(std::vector<label>& order)
+{
+    // Round by round: each lane takes what belongs there, and what was in the
+    // first one goes to the last
+    for (label k = 0; k < label(order.size()); ++k)
+    {
+        if (order[k] == k)
+        {
+            continue;
+        }
+        const pairHistory first(history(k));
+        label to = k;
+        for (label from = order[to]; from != k; from = order[to])
+        {
+            put(to, history(from));
+            order[to] = to;
+            to = from;
+        }
+        put(to, first);
+        order[to] = to;
     }
 }
 
@@ -123,36 +224,63 @@ void Foam::dem::contactBlocks::set
         --nPlain;
     }
     const label nBlocks = layOut(nPlain, touching.size() - nPlain);
-    place
-    (
-        [&](const auto& visit)
-        {
-            for (const pairHistory& h : touching)
-            {
-                visit(h.pair);
-            }
-        },
-        nBlocks,
-        filler
-    );
+    place([](const auto&) {}, nBlocks, filler);
     setSize(now_, nBlocks);
     forAll(touching, p)
     {
-        const pairHistory& h = touching[p];
         const label k = slot(p);
-        if (slips_)
-        {
-            now_.xi.put(h.xi.cdata(), 3, k, nLanes_);
-        }
-        if (moves_)
-        {
-            now_.rate.put(h.rate, 4, k, nLanes_);
-        }
-        if (rolls_)
-        {
-            now_.rolled.put(h.rolled, 4, k, nLanes_);
-        }
+        put(k, touching[p]);
         now_.touched[k/nLanes_] |= 1 << (k % nLanes_);
+    }
+}
+
+
+void Foam::dem::contactBlocks::keepTouching
+(
+    const std::function<bool(pairHistory&)>& change
+)
+{
+    // Those that stay go to the first lanes, as many as there are, and into
+    // their order there
+    const std::vector<label>& from = touching();
+    image_.resize(i_.size(), periodicity::original);
+    trial_ = memory();
+    onTrial_ = false;
+    label n = 0;
+    for (const label k : from)
+    {
+        pairHistory h(history(k));
+        if (change(h))
+        {
+            put(n++, h);
+        }
+    }
+    std::vector<label> order(orderOf(n));
+    reorder(order);
+
+    // Then those through seams, which are the last, begin a block
+    label nPlain = n;
+    while (nPlain && image_[nPlain - 1] != periodicity::original)
+    {
+        --nPlain;
+    }
+    const label nBlocks = layOut(nPlain, n - nPlain);
+    const label nRoom = max(nLanes(), nBlocks*nLanes_);
+    i_.resize(nRoom);
+    j_.resize(nRoom);
+    image_.resize(nRoom);
+    setRoom(now_, nRoom/nLanes_);
+    for (label p = n - 1; p >= nPlain; --p)
+    {
+        put(slot(p), history(p));
+    }
+    i_.resize(nBlocks*nLanes_);
+    j_.resize(nBlocks*nLanes_);
+    image_.resize(nImages_ ? nBlocks*nLanes_ : 0);
+    now_.touched.assign(nBlocks, 0);
+    for (label p = 0; p < n; ++p)
+    {
+        now_.touched[slot(p)/nLanes_] |= 1 << (slot(p) % nLanes_);
     }
 }
 
@@ -197,6 +325,10 @@ void Foam::dem::contactBlocks::set
     (
         [&](const auto& visit) { pairs.forEach(visit); }, nBlocks, filler
     );
+    if (areMany(nTouching))
+    {
+        std::vector<label>().swap(touching_);
+    }
 }
 
 

@@ -16,7 +16,8 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::dem::laneNumbers::grow(const label n)
+template<class Number>
+void Foam::dem::laneNumbers<Number>::grow(const label n)
 {
     constexpr std::size_t line = 64;
     const char* const before = static_cast<char*>(memory_.get());
@@ -26,7 +27,7 @@ void Foam::dem::laneNumbers::grow(const label n)
     // A little to spare for the next time
     room_ = n + n/16;
     void* const memory =
-        std::realloc(memory_.get(), room_*sizeof(double) + line);
+        std::realloc(memory_.get(), room_*sizeof(Number) + line);
     if (!memory)
     {
         FatalErrorInFunction
@@ -40,15 +41,16 @@ void Foam::dem::laneNumbers::grow(const label n)
     const std::size_t first = (-reinterpret_cast<std::uintptr_t>(now)) % line;
     if (first != begin)
     {
-        std::memmove(now + first, now + begin, set_*sizeof(double));
+        std::memmove(now + first, now + begin, set_*sizeof(Number));
     }
-    first_ = reinterpret_cast<double*>(now + first);
+    first_ = reinterpret_cast<Number*>(now + first);
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::dem::laneNumbers::setSize(const label n)
+template<class Number>
+void Foam::dem::laneNumbers<Number>::setSize(const label n)
 {
     if (n > room_)
     {
@@ -59,10 +61,16 @@ void Foam::dem::laneNumbers::setSize(const label n)
     // number
     if (n > set_)
     {
-        std::memset(first_ + set_, 0, (n - set_)*sizeof(double));
+        std::memset(first_ + set_, 0, (n - set_)*sizeof(Number));
         set_ = n;
     }
 }
+
+
+// * * * * * * * * * * * * * * * * Instances * * * * * * * * * * * * * * * * //
+
+template class Foam::dem::laneNumbers<double>;
+template class Foam::dem::laneNumbers<float>;
 
 
 // ************************************************************************* //

@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "verletList.H"
+#include "areMany.H"
 #include "allowedKeys.H"
 #include "checkedEntry.H"
 
@@ -29,7 +30,7 @@ const Foam::scalar slowest = 0.2;
 //  next list has them
 void giveBack(const Foam::label nSpheres)
 {
-    if (nSpheres > 100000)
+    if (Foam::dem::areMany(nSpheres))
     {
         malloc_trim(0);
     }
@@ -49,7 +50,7 @@ void Foam::dem::verletList::setNear(const packedBodies& state)
         slowest*min(skin_/max(nearSkin_, VSMALL), scalar(1)),
         0.25
     );
-    near_.setPlaces(state);
+    near_.setPlaces(state, far_);
     if (asleep_.due())
     {
         asleep_.sort(blocks_, state.nSpheres());
@@ -87,7 +88,7 @@ void Foam::dem::verletList::gather
         }
     };
     setTouch();
-    const scalar* allowed = near_.allowed.cdata();
+    const float* allowed = near_.allowed.data();
     const bool sleeping = asleep_.any();
     found_.clear();
     found_.reserve(pairs_.size(), state.nSpheres());
@@ -115,7 +116,7 @@ void Foam::dem::verletList::gather
         }
         const scalar reach =
             xv[p.i].second.w + xv[p.j].second.w
-          + allowed[p.i] + allowed[p.j] + beyond;
+          + scalar(allowed[p.i]) + scalar(allowed[p.j]) + beyond;
 
         if (magSqr(d) < sqr(reach))
         {
@@ -123,23 +124,40 @@ void Foam::dem::verletList::gather
         }
     });
     blocks.set(found_, contactBlocks::fillerOf(state.nSpheres()));
+    if (areMany(state.nSpheres()))
+    {
+        found_.free();
+    }
 }
 
 
-void Foam::dem::verletList::takeKept
+void Foam::dem::verletList::keep
 (
-    List<pairHistory>& kept,
-    contactBlocks& blocks,
-    const label nSpheres
+    const std::function<bool(pairHistory&)>& change
 )
 {
-    const auto sooner = [](const pairHistory& a, const pairHistory& b)
+    if (valid_)
     {
-        return contactBlocks::before(a.pair, b.pair);
-    };
-    std::sort(kept.begin(), kept.end(), sooner);
-    blocks.set(kept, contactBlocks::fillerOf(nSpheres));
-    kept.clear();
+        // What is made anew in any case need not be there meanwhile
+        pairs_.free();
+        near_.free();
+        found_.free();
+        const label n = label(far_.allowed.size());
+        far_.free();
+        giveBack(n);
+        if (asleep_.blocks().nLanes())
+        {
+            blocks_.set(histories(), spherePair());
+        }
+        asleep_.clear();
+        if (reachPerRadius_ <= 0)
+        {
+            reached_.clear();
+        }
+        valid_ = false;
+    }
+    blocks_.keepTouching(change);
+    reached_.keepTouching(change);
 }
 
 
@@ -220,60 +238,9 @@ void Foam::dem::verletList::setMeets(const bool meets)
     drop();
     if (!meets)
     {
-        kept_.clear();
-        keptBridges_.clear();
+        blocks_.clear();
+        reached_.clear();
     }
-}
-
-
-void Foam::dem::placement::start
-(
-    const packedBodies& state,
-    const scalar distance,
-    const scalar part,
-    const scalar worth
-)
-{
-    const label n = state.nSpheres();
-    allowed.setSize(n);
-    scalar fastest = VSMALL;
-    for (label s = 0; s < n; ++s)
-    {
-        allowed[s] = state.speed(s);
-        fastest = max(fastest, allowed[s]);
-    }
-    for (scalar& a : allowed)
-    {
-        a = distance*(part + (1 - part)*a/fastest);
-    }
-
-    moved = 0;
-    left = part*distance;
-    least = worth*part*distance;
-}
-
-
-void Foam::dem::placement::setPlaces(const packedBodies& state)
-{
-    x.setSize(state.nSpheres());
-    forAll(x, s)
-    {
-        x[s] = state.centre(s);
-    }
-}
-
-
-bool Foam::dem::placement::over(const packedBodies& state)
-{
-    if (moved > left)
-    {
-        // The bound is used up: how far have they really moved?
-        left = state.wayLeft(x, allowed);
-        moved = 0;
-    }
-
-    // To look at all again in a few steps costs more than the way that is left
-    return left < least;
 }
 
 
@@ -292,7 +259,7 @@ bool Foam::dem::verletList::outdated(const packedBodies& state)
     return
         !valid_
      || renew_
-     || far_.x.size() != state.nSpheres()
+     || label(far_.allowed.size()) != state.nSpheres()
      || far_.over(state);
 }
 
@@ -300,16 +267,6 @@ bool Foam::dem::verletList::outdated(const packedBodies& state)
 void Foam::dem::verletList::build(const packedBodies& state)
 {
     const label n = state.nSpheres();
-    if (!valid_)
-    {
-        takeKept(kept_, blocks_, n);
-        asleep_.clear();
-        if (reaches())
-        {
-            takeKept(keptBridges_, reached_, n);
-        }
-    }
-
     scalar largest = 0;
     for (label s = 0; s < n; ++s)
     {
@@ -324,7 +281,7 @@ void Foam::dem::verletList::build(const packedBodies& state)
     // While it is searched, what is made anew in any case takes no memory
     pairs_.free();
     near_.free();
-    far_.x.clear();
+    std::vector<scalar>().swap(far_.x);
     giveBack(n);
     search(state);
     far_.setPlaces(state);
@@ -353,7 +310,7 @@ void Foam::dem::verletList::build(const packedBodies& state)
 
 bool Foam::dem::verletList::refresh(const packedBodies& state)
 {
-    const bool outdated = near_.over(state) || nearDue_ || asleep_.due();
+    const bool outdated = near_.over(state, far_) || nearDue_ || asleep_.due();
     nearDue_ = false;
     if (outdated)
     {
@@ -380,7 +337,9 @@ bool Foam::dem::verletList::nearOutdated
     const scalar distance
 )
 {
-    const bool over = near_.x.size() == state.nSpheres() && near_.over(state);
+    const bool over =
+        label(near_.allowed.size()) == state.nSpheres()
+     && near_.over(state, far_);
 
     // The copies have yet to be looked at
     near_.moved = max(near_.moved, distance);
@@ -392,41 +351,20 @@ void Foam::dem::verletList::drop()
 {
     if (valid_)
     {
-        // What is made anew in any case need not be there beside them
-        pairs_.free();
-        near_.free();
-        found_.free();
-        const label n = far_.x.size();
-        far_.x.clear();
-        giveBack(n);
-        kept_ = histories();
-        keptBridges_ = bridges();
-        blocks_.free();
-        asleep_.clear();
-        valid_ = false;
+        keep([](const pairHistory&) { return true; });
     }
 }
 
 
 void Foam::dem::verletList::renumber(const labelUList& newIndex)
 {
-    drop();
-
-    for (List<pairHistory>* kept : {&kept_, &keptBridges_})
+    keep([&](pairHistory& h)
     {
-        label n = 0;
-        for (pairHistory& h : *kept)
-        {
-            const label i = newIndex[h.pair.i];
-            const label j = newIndex[h.pair.j];
-            if (i >= 0 && j >= 0)
-            {
-                h.renumber(i, j);
-                (*kept)[n++] = pairHistory(h);
-            }
-        }
-        kept->setSize(n);
-    }
+        const label i = newIndex[h.pair.i];
+        const label j = newIndex[h.pair.j];
+        h.renumber(i, j);
+        return i >= 0 && j >= 0;
+    });
 }
 
 
@@ -436,28 +374,17 @@ void Foam::dem::verletList::turn
     const UList<labelVector>& turns
 )
 {
-    drop();
-
-    for (List<pairHistory>* kept : {&kept_, &keptBridges_})
+    keep([&](pairHistory& h)
     {
-        label n = 0;
-        for (pairHistory& h : *kept)
-        {
-            // What touches is nearer than a period, so the image is one of
-            // the 27
-            h.pair.image = periodicity::moved
-            (
-                h.pair.image,
-                turns[state.sphereBody[h.pair.i]]
-              - turns[state.sphereBody[h.pair.j]]
-            );
-            if (h.pair.image >= 0)
-            {
-                (*kept)[n++] = pairHistory(h);
-            }
-        }
-        kept->setSize(n);
-    }
+        // What touches is nearer than a period, so the image is one of the 27
+        h.pair.image = periodicity::moved
+        (
+            h.pair.image,
+            turns[state.sphereBody[h.pair.i]]
+          - turns[state.sphereBody[h.pair.j]]
+        );
+        return h.pair.image >= 0;
+    });
 }
 
 
@@ -467,10 +394,23 @@ void Foam::dem::verletList::setHistories
     List<pairHistory> bridged
 )
 {
-    kept_ = std::move(touching);
-    keptBridges_ = std::move(bridged);
-    asleep_.clear();
     valid_ = false;
+    asleep_.clear();
+    const auto set = [](List<pairHistory>& histories, contactBlocks& blocks)
+    {
+        std::sort
+        (
+            histories.begin(),
+            histories.end(),
+            [](const pairHistory& a, const pairHistory& b)
+            {
+                return contactBlocks::before(a.pair, b.pair);
+            }
+        );
+        blocks.set(histories, spherePair());
+    };
+    set(touching, blocks_);
+    set(bridged, reached_);
 }
 
 

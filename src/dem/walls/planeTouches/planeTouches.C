@@ -133,6 +133,7 @@ void Foam::dem::planeTouches::set()
         next += kept;
     }
     blocks_.set(pairs, filler);
+    kept_.clearStorage();
 
     const label n = blocks_.nLanes();
     const label W = blocks_.nInBlock();

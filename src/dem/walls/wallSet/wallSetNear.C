@@ -109,7 +109,7 @@ void Foam::dem::wallSet::toPlanes
 void Foam::dem::wallSet::build
 (
     const packedBodies& state,
-    const UList<scalar>& allowed,
+    const std::vector<float>& allowed,
     const scalar own
 )
 {
@@ -153,7 +153,7 @@ void Foam::dem::wallSet::build
 void Foam::dem::wallSet::narrow
 (
     const packedBodies& state,
-    const UList<scalar>& allowed
+    const std::vector<float>& allowed
 )
 {
     release();
@@ -212,6 +212,8 @@ void Foam::dem::wallSet::narrow
             before[nKept++] = before[old];
         }
         before.setSize(nKept);
+        before.shrink();
+        contacts_.trial.clearStorage();
         planes_.set();
     }
 }
