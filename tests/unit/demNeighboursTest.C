@@ -287,7 +287,39 @@ TEST(demNeighbours, histories)
     neighbours.renumber(newIndex);
     EXPECT_TRUE(neighbours.outdated(packedBodies(state)));
     neighbours.build(packedBodies(state));
-    EXPECT_GT(check(), 40);
+    const label left = check();
+    EXPECT_GT(left, 40);
+
+    // Any order of the bodies: what a contact remembers is seen from the other
+    // sphere where that is the lower one now
+    Foam::labelList order(Foam::identity(state.size()));
+    std::shuffle(order.begin(), order.end(), random);
+    const Foam::labelList first(state.firstSphere.list());
+    state.take(order);
+    neighbours.renumber(state.sphereMap(first, order));
+    const auto found = neighbours.histories();
+    EXPECT_EQ(found.size(), left);
+    label nTurned = 0;
+    for (label k = 0; k < found.size(); ++k)
+    {
+        const verletList::spherePair& p = found[k].pair;
+        const verletList::spherePair other(p.j, p.i);
+        EXPECT_TRUE(p.i < p.j && touches(p));
+        EXPECT_TRUE
+        (
+            found[k].xi == slipOf(p) || found[k].xi == -slipOf(other)
+        );
+        nTurned += found[k].xi != slipOf(p);
+        EXPECT_TRUE
+        (
+            k == 0
+         || Foam::dem::contactBlocks::before(found[k - 1].pair, p)
+        );
+    }
+    EXPECT_GT(nTurned, 10);
+    EXPECT_LT(nTurned, left - 10);
+    neighbours.build(packedBodies(state));
+    EXPECT_EQ(neighbours.histories().size(), left);
 }
 
 
