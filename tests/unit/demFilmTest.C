@@ -459,4 +459,125 @@ TEST(demFilm, contactsStay)
 }
 
 
+TEST(demFilm, told)
+{
+    // A ball falls on the floor and bounces; the film's part of what it gets
+    // is known apart, step by step
+    demCase c
+    (
+        balls(body("a", "ball", {0, 0, 2.5*r}, {0, 0, -2}), plane),
+        gravity, none, liquid
+    );
+    c.solver().tellFilms();
+    const scalar beta = 6*M_PI*mu*r*r, v0 = 2, dt = 1e-5;
+    const scalar roughness = 1e-5;
+    vector film = Foam::Zero, contact = Foam::Zero, whole = Foam::Zero;
+    scalar ofFilm = 0, ofContact = 0, l = 1.5*r;
+    for (label n = 0; n < 1000 && c.state().v[0].z() < 0; ++n)
+    {
+        const vector before = mass*c.state().v[0];
+        const scalar l0 = l;
+        c.run(dt);
+        l = c.state().x[0].z() - r;
+        const vector J = c.solver().filmImpulse(0).first();
+        const vector other =
+            mass*c.state().v[0] - before - J - mass*dt*gravity;
+        film += J;
+        contact += other;
+        whole += J + other;
+        if (l0 > 0 && l > 0)
+        {
+            // In the film all but the weight is its
+            ofFilm = std::max(ofFilm, mag(other)/(mass*v0));
+        }
+        else if (l0 < 0 && l < 0)
+        {
+            ofContact = std::max(ofContact, mag(J)/(mass*v0));
+        }
+    }
+    figure
+    (
+        "filmTold_film", ofFilm, 0, 1e-13, "of the momentum",
+        "nothing else acts before they touch"
+    );
+    figure
+    (
+        "filmTold_contact", ofContact, 0, 0, "of the momentum",
+        "no film while they touch"
+    );
+    figureNear
+    (
+        "filmTold_impulse", film.z(), beta*narrowed(1.5*r, roughness, r), 0.01,
+        "N s", "closed form, from its reach to the roughness"
+    );
+    figure
+    (
+        "filmTold_bounces", contact.z()/whole.z(), 0.1, 0.9, "-",
+        "part of the impulse that is the contact's"
+    );
+}
+
+
+TEST(demFilm, toldClump)
+{
+    // A rod turns as it comes down askew: the films' torque is all there is
+    std::string dict
+    (
+        balls
+        (
+            "    a { shape rod; material rock; position (0 0 0.003);"
+            " velocity (0 0 -2); }\n"
+          + body("b", "ball", {0, 0.0021, 0.003}, {0, -0.02, 0}),
+            plane
+        )
+    );
+    const std::string shape("shapes { ball");
+    dict.replace
+    (
+        dict.find(shape), shape.size(),
+        "shapes { rod { type multisphere; spheres (((-0.0009 0 -0.0004) 0.001)"
+        " ((0.0009 0 0.0004) 0.001)); } ball"
+    );
+    demCase c(dict, Foam::Zero, none, liquid);
+    c.solver().tellFilms();
+    vector J = Foam::Zero, JL = Foam::Zero, JBall = Foam::Zero;
+    const vector v0 = c.state().v[0], vBall = c.state().v[1];
+    scalar apart = 1;
+    for (label n = 0; n < 1000 && apart > 2e-5; ++n)
+    {
+        c.run(1e-5);
+        J += c.solver().filmImpulse(0).first();
+        JL += c.solver().filmImpulse(0).second();
+        JBall += c.solver().filmImpulse(1).first();
+        for (label s = 0; s < 2; ++s)
+        {
+            apart = std::min(apart, c.state().sphereX()[s].z() - r);
+        }
+    }
+    const scalar m = c.state().mass[0];
+    figure
+    (
+        "filmTold_clump", mag(m*(c.state().v[0] - v0) - J)/mag(J), 0, 1e-12,
+        "-", "change of a rod's momentum"
+    );
+    figure
+    (
+        "filmTold_torque", mag(c.state().L(0) - JL)/mag(JL), 0, 1e-12, "-",
+        "change of its angular momentum"
+    );
+    figure
+    (
+        "filmTold_turns", mag(c.state().omega[0]), 10, 1000, "rad/s",
+        "it turns"
+    );
+    figure
+    (
+        "filmTold_pair",
+        mag(c.state().mass[1]*(c.state().v[1] - vBall) - JBall)/mag(JBall),
+        0, 1e-10, "-", "a ball beside it"
+    );
+}
+
+
+
 // ************************************************************************* //

@@ -402,7 +402,8 @@ void Foam::demCloud::endStep()
             forces_->write
             (
                 mesh_.time().value(),
-                dem_->state(),
+                mesh_.time().deltaTValue(),
+                *dem_,
                 *immersed_
             );
         }

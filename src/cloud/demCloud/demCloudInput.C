@@ -204,6 +204,7 @@ void Foam::demCloud::readOutput()
             " immersed; those on points are in lagrangian/demCloud"
         );
     }
+    dem_->tellFilms();
     const Time& time = mesh_.time();
     forces_.reset
     (

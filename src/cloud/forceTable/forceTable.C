@@ -26,7 +26,7 @@ Foam::autoPtr<Foam::OFstream> Foam::forceTable::open
     *table
         << "# " << quantity << " on each body [" << unit.c_str() << "]" << nl
         << "# Time\tbody\tfluid_(x y z)\tcontact_(x y z)"
-        << "\tpressure_(x y z)\tviscous_(x y z)" << endl;
+        << "\tlubrication_(x y z)\tpressure_(x y z)\tviscous_(x y z)" << endl;
     return table;
 }
 
@@ -49,7 +49,8 @@ Foam::forceTable::forceTable(const fileName& directory)
 void Foam::forceTable::write
 (
     const scalar t,
-    const dem::bodies& state,
+    const scalar dt,
+    const dem::demSolver& bodies,
     const coupling::immersedMethod& immersed
 )
 {
@@ -57,23 +58,26 @@ void Foam::forceTable::write
     {
         return;
     }
-    forAll(state.id, b)
+    const labelList& id = bodies.state().id;
+    forAll(id, b)
     {
         if (!immersed.acts(b))
         {
             continue;
         }
+        const Pair<vector> films = bodies.filmImpulse(b);
+        const vector filmF = films.first()/dt, filmT = films.second()/dt;
         const vector F = immersed.fluidForce(b);
         const vector& viscousF = immersed.frictionForce(b);
         *force_
-            << t << tab << state.id[b] << tab << F
-            << tab << immersed.contactForce(b)
+            << t << tab << id[b] << tab << F
+            << tab << immersed.contactForce(b) - filmF << tab << filmF
             << tab << F - viscousF << tab << viscousF << nl;
         const vector T = immersed.fluidTorque(b);
         const vector& viscousT = immersed.frictionTorque(b);
         *torque_
-            << t << tab << state.id[b] << tab << T
-            << tab << immersed.contactTorque(b)
+            << t << tab << id[b] << tab << T
+            << tab << immersed.contactTorque(b) - filmT << tab << filmT
             << tab << T - viscousT << tab << viscousT << nl;
     }
     force_->flush();

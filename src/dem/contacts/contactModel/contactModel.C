@@ -244,6 +244,11 @@ void Foam::dem::contactModel::attract
     UList<wallTouch>& reached = walls.paddedReached(nLanes());
     list.giveReached(data, onTrial);
     giveWalls(walls, reached, data);
+    if (tellsFilms_)
+    {
+        films_.assign(state.spheres().xv.size(), quad{0, 0, 0, 0});
+        data.films = &films_[0].x;
+    }
 
     sweepFound found;
     set_->attract(laws_, data, found);

@@ -132,6 +132,10 @@ void Foam::dem::hadesSolver::begin(const scalar t, const scalar t1)
     computeForces(t, 0, false);
     list_.accept();
     walls_.accept();
+    if (films_.valid())
+    {
+        films_->begin(packed_, contacts_.films());
+    }
     if (notesStored_)
     {
         stored_ = storedInContacts();
@@ -324,6 +328,10 @@ void Foam::dem::hadesSolver::move(const scalar t0, const scalar t1)
         {
             impulse_->step(packed_, moving().id, state_.nextId(), dt);
         }
+        if (films_.valid())
+        {
+            films_->step(packed_, contacts_.films(), dt);
+        }
         if (sleepers_.valid())
         {
             sleep(t, dt);
@@ -451,6 +459,21 @@ void Foam::dem::hadesSolver::advance(const scalar t0, const scalar t1)
     report_.overlap = group_.max(report_.overlap);
     report_.nContacts = nContacts();
     report_.nAsleep = sleepers_.valid() ? sleepers_->nAsleep() : -1;
+}
+
+
+Foam::List<Foam::dem::contactForce> Foam::dem::hadesSolver::contacts() const
+{
+    return contactForces
+    (
+        contacts_,
+        materials_,
+        state_,
+        list_.histories(),
+        input_.period,
+        walls_.together().accepted,
+        walls_.walls()
+    );
 }
 
 

@@ -395,4 +395,21 @@ void Foam::dem::hadesSolver::setFilm(const squeezedFilm& film)
 }
 
 
+void Foam::dem::hadesSolver::tellFilms()
+{
+    contacts_.tellFilms();
+    films_.reset(new dem::filmImpulse);
+}
+
+
+Foam::Pair<Foam::vector>
+Foam::dem::hadesSolver::filmImpulse(const label b) const
+{
+    return
+        films_.valid()
+      ? Pair<vector>(films_->linear(b), films_->angular(b))
+      : demSolver::filmImpulse(b);
+}
+
+
 // ************************************************************************* //
