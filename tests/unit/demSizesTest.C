@@ -303,7 +303,7 @@ TEST(demSizes, byMass)
     const auto mass = [&]()
     {
         scalar m = 0;
-        for (const scalar one : c.state().mass)
+        for (const scalar one : c.state().mass.list())
         {
             m += one;
         }
@@ -337,7 +337,7 @@ TEST(demSizes, byMass)
     again.solver().enter(2);
     EXPECT_EQ(again.state().size() + 100, c.state().size());
     EXPECT_EQ(again.state().x.last(), c.state().x.last());
-    EXPECT_EQ(again.state().mass.last(), c.state().mass.last());
+    EXPECT_EQ(again.state().mass.list().last(), c.state().mass.list().last());
 }
 
 

@@ -192,40 +192,49 @@ TEST(demSweep, wayLeft)
           : name == "avx2" ? Foam::dem::sweepAvx2
           : Foam::dem::sweepAvx512;
         scalar off = 0;
-        for (int k = 2; k < 72; ++k)
+        for (int k = 4; k < 4*140; ++k)
         {
-            const int n = k/2;
-            const bool shifted = k % 2;
+            const int n = k/4;
+            const bool shifted = k % 2, grouped = k/2 % 2;
+            constexpr int nInGroup = Foam::dem::placesBefore::nInGroup;
             std::vector<Foam::dem::quadPair> xv(n);
-            std::vector<double> from(3*n);
-            std::vector<float> offset(3*n), may(n, 10);
+            std::vector<double> from(3*n), first(3*(n/nInGroup + 1));
+            std::vector<float> inGroup(3*n), offset(3*n), may(n, 10);
+            const auto place = [](const int s)
+            {
+                return point(s, -0.375*s, 0.125*s);
+            };
             for (int s = 0; s < n; ++s)
             {
-                const point x0(s, -0.3*s, 0.1*s);
+                const int g = s/nInGroup;
+                const point x0(place(s)), begin(place(g*nInGroup));
                 const point x(x0 + 0.5*(1 + s % 3)*vector(2, -3, 6)/7);
                 xv[s] = {{x.x(), x.y(), x.z(), 1e9}, {1e9, 1e9, 1e9, 1e9}};
                 for (int d = 0; d < 3; ++d)
                 {
-                    offset[s + d*n] = 0.25*(d + s % 2);
-                    from[s + d*n] = x0[d] - shifted*offset[s + d*n];
+                    const int i = s + d*n;
+                    offset[i] = 0.25*(d + s % 2);
+                    from[i] = x0[d] - shifted*offset[i];
+                    first[3*g + d] = begin[d];
+                    inGroup[i] = from[i] - begin[d];
                 }
             }
-            const float* by = shifted ? offset.data() : nullptr;
-            for (int s = 0; s < n; ++s)
+            const Foam::dem::placesBefore before
+            {
+                grouped ? nullptr : from.data(),
+                inGroup.data(),
+                first.data(),
+                shifted ? offset.data() : nullptr,
+                may.data()
+            };
+            for (int s = 0; s < n; s += n < 40 ? 1 : 7)
             {
                 may[s] = 1;
-                const double left = sweeps.wayLeft
-                (
-                    xv.data(), from.data(), by, may.data(), n
-                );
+                const double left = sweeps.wayLeft(xv.data(), before, n);
                 off = Foam::max(off, Foam::mag(left - 1 + 0.5*(1 + s % 3)));
                 may[s] = 10;
             }
-            EXPECT_GT
-            (
-                sweeps.wayLeft(xv.data(), from.data(), by, may.data(), 0),
-                1e100
-            );
+            EXPECT_GT(sweeps.wayLeft(xv.data(), before, 0), 1e100);
         }
         figure
         (

@@ -273,23 +273,29 @@ void Foam::caseCheck::checkSizes()
 
 void Foam::caseCheck::checkMemory()
 {
-    // Of each sphere the search keeps some pairs, of each pair two slips
-    const label pairsOfSphere = 8;
-    const scalar sphereBytes =
-        2*sizeof(point) + sizeof(scalar) + sizeof(label)
-      + pairsOfSphere*(2*sizeof(vector) + 3*sizeof(label));
+    // What spheres of a bed with friction take during an advance, as measured:
+    // records and memory of contacts, both of which a step that may be undone
+    // has twice; lists of neighbours and what the watchdog keeps
+    const bool twice = dem_.control() && dem_.control()->undoes();
+    const scalar sphereBytes = 270.0*(twice ? 2 : 1) + 125;
 
-    // The state and what a step must have to be undone
-    const scalar bodyBytes =
-        4*sizeof(label) + sizeof(scalar)
-      + 17*sizeof(vector) + 2*sizeof(quaternion);
+    // The state of a body and its cell; what a clump has besides, as a whole
+    // and of each sphere
+    const scalar bodyBytes = 95;
+    const scalar clumpBytes = 330.0*(twice ? 2 : 1) + 60;
+    const scalar clumpSphereBytes = 32;
 
     scalar bodies = 0, cells = 0;
     for (const kind& k : kinds_)
     {
         const scalar n = scalar(k.nStart) + scalar(k.nToCome);
         const dem::shape& s = shapeOf(k);
-        bodies += n*(bodyBytes + s.radii().size()*sphereBytes);
+        const label nSpheres = s.radii().size();
+        bodies += n*(bodyBytes + nSpheres*sphereBytes);
+        if (!s.isSphere())
+        {
+            bodies += n*(clumpBytes + nSpheres*clumpSphereBytes);
+        }
         if (resolved())
         {
             // Those inside and those that the surface cuts

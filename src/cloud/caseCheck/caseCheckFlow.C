@@ -78,7 +78,7 @@ void Foam::caseCheck::checkGaps()
     dem::sizeLevels
     (
         state.sphereX(),
-        scalarField(state.sphereR + 0.5*cell),
+        scalarField(scalarField(state.sphereR.list()) + 0.5*cell),
         0
     ).forEachPair
     (

@@ -153,7 +153,7 @@ Foam::autoPtr<Foam::IOdictionary> Foam::cloudState::write
     out.write("rotation", axis);
     out.write("rotationW", w);
     out.write("angularMomentum", L);
-    out.write("material", state.materialI);
+    out.write("material", state.materialI.list());
 
     if (immersed)
     {

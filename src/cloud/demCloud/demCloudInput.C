@@ -336,7 +336,7 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const fluidAccess access)
     effects_(dict_),
     patches_(mesh),
     bins_(mesh),
-    cells_(bins_),
+    cells_(bins_, access != fluidAccess::none),
     exits_(mesh),
     ledger_
     (

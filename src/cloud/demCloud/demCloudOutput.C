@@ -22,8 +22,8 @@ void Foam::demCloud::putBodies(Writer& out) const
     out.write("id", state.id);
     out.write("velocity", state.v);
     out.write("angularVelocity", state.omega);
-    out.write("mass", state.mass);
-    out.write("template", state.shapeI);
+    out.write("mass", state.mass.list());
+    out.write("template", state.shapeI.list());
 
     const label n = state.size();
     vectorField axis(n), force(n), torque(n);

@@ -43,9 +43,9 @@ bool Foam::coupling::bodyKinds::findRules(const dem::bodies& state)
         const auto given = named_.cfind(word(name.substr(0, name.find(':'))));
         ofShape_.append(given.found() ? given.val() : default_);
     }
-    for (const label i : state.shapeI)
+    forAll(state.shapeI, b)
     {
-        if (ofShape_[i] == rule::bySize)
+        if (ofShape_[state.shapeI[b]] == rule::bySize)
         {
             return true;
         }

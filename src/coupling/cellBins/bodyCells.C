@@ -29,6 +29,10 @@ void Foam::coupling::bodyCells::look
         depth = c != near ? bins_.depth(x, c) : -1;
     }
     cell_[b] = c;
+    if (!keepsPlaces_)
+    {
+        return;
+    }
     const vector at(x - corner_);
     x_[b] = FixedList<float, 3>{float(at.x()), float(at.y()), float(at.z())};
 
@@ -40,9 +44,14 @@ void Foam::coupling::bodyCells::look
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::coupling::bodyCells::bodyCells(const cellBins& bins)
+Foam::coupling::bodyCells::bodyCells
+(
+    const cellBins& bins,
+    const bool keepsPlaces
+)
 :
     bins_(bins),
+    keepsPlaces_(keepsPlaces),
     corner_(bins.mesh().bounds().min())
 {}
 
@@ -60,7 +69,7 @@ const Foam::labelList& Foam::coupling::bodyCells::find
     {
         forAll(state.x, b)
         {
-            if (mayHaveLeft(b, state.x[b]))
+            if (!keepsPlaces_ || mayHaveLeft(b, state.x[b]))
             {
                 look(state.x[b], b, cell_[b]);
             }
@@ -86,8 +95,8 @@ const Foam::labelList& Foam::coupling::bodyCells::find
     }
 
     cell_.setSize(id_.size());
-    x_.setSize(id_.size());
-    safe_.setSize(id_.size());
+    x_.setSize(keepsPlaces_ ? id_.size() : 0);
+    safe_.setSize(x_.size());
     forAll(state.x, b)
     {
         look(state.x[b], b, near[b]);

@@ -178,7 +178,7 @@ void Foam::coupling::solidFields::update()
     {
         momentum[b] = state.mass[b]*state.v[b];
     }
-    const scalarField m(exchanged_.spread(state.mass));
+    const scalarField m(exchanged_.spread(state.mass.list()));
     vectorField u(exchanged_.spread(momentum));
     forAll(u, c)
     {

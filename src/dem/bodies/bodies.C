@@ -75,6 +75,32 @@ Foam::dem::bodies::bodies(const PtrList<shape>& shapes)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::scalar Foam::dem::bodies::minRadius() const
+{
+    if (sphereR.same())
+    {
+        return nSpheres() ? sphereR[0] : 0;
+    }
+    scalar least = GREAT;
+    for (label s = 0; s < nSpheres(); ++s)
+    {
+        least = min(least, sphereR[s]);
+    }
+    return least;
+}
+
+
+Foam::scalar Foam::dem::bodies::meanRadius() const
+{
+    scalar sum = 0;
+    for (label s = 0; s < nSpheres(); ++s)
+    {
+        sum += sphereR[s];
+    }
+    return nSpheres() ? sum/nSpheres() : 0;
+}
+
+
 Foam::label Foam::dem::bodies::append(const newBody& n)
 {
     const shape& s = shapes_[n.shapeI];
@@ -199,9 +225,9 @@ void Foam::dem::bodies::take
     }
 
     gather(id, from, others, &bodyRecord::id);
-    gather(shapeI, from, others, &bodyRecord::shapeI);
-    gather(materialI, from, others, &bodyRecord::materialI);
-    gather(mass, from, others, &bodyRecord::mass);
+    gatherHeld(shapeI, from, others, &bodyRecord::shapeI);
+    gatherHeld(materialI, from, others, &bodyRecord::materialI);
+    gatherHeld(mass, from, others, &bodyRecord::mass);
     gather(x, from, others, &bodyRecord::x);
     gather(v, from, others, &bodyRecord::v);
     gatherHeld(q, from, others, &bodyRecord::q);

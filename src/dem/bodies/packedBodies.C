@@ -9,6 +9,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "packedBodies.H"
+#include "areMany.H"
 #include "quadRecords.H"
 #include "rotation.H"
 
@@ -22,7 +23,7 @@ void Foam::dem::packedBodies::packSingle(const bodies& state, const label b)
     const label s = state.firstSphere[b];
     const scalar r = state.sphereR[s];
 
-    place_[b] = -1 - s;
+    place_.set(b, -1 - s);
     now_.x(s) = record(state.x[b], 1/state.mass[b]);
     now_.v(s) = record(state.v[b], r);
     now_.w[s] = record(r*state.omega[b], r);
@@ -52,7 +53,7 @@ void Foam::dem::packedBodies::packClump(const bodies& state, const label b)
     {
         now_.v(s).w = state.sphereR[s];
     }
-    place_[b] = label(clumps_.size());
+    place_.set(b, label(clumps_.size()));
     if (!c.copied)
     {
         ownClump_.push_back(place_[b]);
@@ -150,7 +151,7 @@ void Foam::dem::packedBodies::pack(const bodies& state, const vector& g)
     ownClump_.clear();
     single_.clear();
     singleBody_.clear();
-    place_.resize(nBodies_);
+    place_.start(nBodies_, state.allBalls());
 
     allSingle_ = nSpheres_ == nBodies_ && state.isCopy.empty();
     bool oneMaterial = true;
@@ -182,8 +183,8 @@ void Foam::dem::packedBodies::pack(const bodies& state, const vector& g)
         }
     }
 
-    minRadius_ = nSpheres_ ? min(state.sphereR) : 0;
-    meanRadius_ = nSpheres_ ? sum(state.sphereR)/nSpheres_ : 0;
+    minRadius_ = state.minRadius();
+    meanRadius_ = state.meanRadius();
     hold(state);
     clearForces();
     if (asleep_.any())
@@ -213,7 +214,7 @@ void Foam::dem::packedBodies::unpackPositions(bodies& state) const
 }
 
 
-void Foam::dem::packedBodies::unpack(bodies& state) const
+void Foam::dem::packedBodies::unpack(bodies& state)
 {
     unpackPositions(state);
     const std::vector<vector>& given = given_.given;
@@ -238,11 +239,22 @@ void Foam::dem::packedBodies::unpack(bodies& state) const
         const scalar mInverse = now_.x(s).w;
         const scalar r = now_.v(s).w;
 
-        state.force[b] = f + state.mass[b]*g_;
-        state.torque[b] = r*t;
         end(b, vectorOf(now_.v(s)), g_ + mInverse*f);
         const scalar turn = quadRecords::surface*pending_*mInverse;
         state.omega[b] = (vectorOf(now_.w[s]) + turn*t)/r;
+    }
+
+    // What is packed anew before it is read again makes room for the forces
+    if (areMany(nSpheres_) && state.isCopy.empty())
+    {
+        std::vector<quad>().swap(now_.w);
+    }
+    for (label k = 0; k < n; ++k)
+    {
+        const label s = singleSphere(k);
+        const label b = singleBody(k);
+        state.force[b] = vectorOf(now_.f(s)) + state.mass[b]*g_;
+        state.torque[b] = now_.v(s).w*vectorOf(now_.t(s));
     }
 
     for (const int k : ownClump_)
@@ -266,6 +278,13 @@ void Foam::dem::packedBodies::unpack(bodies& state) const
 void Foam::dem::packedBodies::setInstructions(const sweepSet& sweeps)
 {
     sweeps_ = &sweeps;
+}
+
+
+void Foam::dem::packedBodies::free()
+{
+    now_ = records();
+    old_ = records();
 }
 
 
@@ -427,14 +446,9 @@ Foam::scalar Foam::dem::packedBodies::paths(std::vector<path>& all) const
 }
 
 
-Foam::scalar Foam::dem::packedBodies::wayLeft
-(
-    const scalar* x,
-    const float* offset,
-    const float* may
-) const
+Foam::scalar Foam::dem::packedBodies::wayLeft(const placesBefore& b) const
 {
-    return sweeps_->wayLeft(now_.xv.data(), x, offset, may, nSpheres_);
+    return sweeps_->wayLeft(now_.xv.data(), b, nSpheres_);
 }
 
 

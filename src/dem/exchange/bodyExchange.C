@@ -263,10 +263,10 @@ Foam::labelList Foam::dem::bodyExchange::arrange
 void Foam::dem::bodyExchange::findRadii(const bodies& own)
 {
     scalar least = GREAT, sum = 0;
-    for (const scalar r : own.sphereR)
+    for (label s = 0; s < own.nSpheres(); ++s)
     {
-        least = min(least, r);
-        sum += r;
+        least = min(least, own.sphereR[s]);
+        sum += own.sphereR[s];
     }
     const rankGroup group(true);
     const scalar n = group.sum(scalar(own.nSpheres()));
@@ -279,13 +279,13 @@ void Foam::dem::bodyExchange::findRadii(const bodies& own)
 Foam::scalar Foam::dem::bodyExchange::reachOf
 (
     const verletList& list,
-    const UList<scalar>& radius
+    const bodies& all
 ) const
 {
     scalar largest = 0;
-    for (const scalar r : radius)
+    for (label s = 0; s < all.nSpheres(); ++s)
     {
-        largest = max(largest, r);
+        largest = max(largest, all.sphereR[s]);
     }
     return rankGroup(true).max
     (
@@ -359,7 +359,7 @@ void Foam::dem::bodyExchange::shareOut
     {
         radius[b] = own.shapeOf(b).boundingRadius();
     }
-    const scalar reach = reachOf(list, own.sphereR);
+    const scalar reach = reachOf(list, own);
     arrange(nearRanks(own.x, radius, reach, period_));
 
     if (restarted)
@@ -391,7 +391,7 @@ void Foam::dem::bodyExchange::reachOut
         x[k] = packed.position(b);
         radius[k] = all_->shapeOf(b).boundingRadius();
     }
-    const scalar reach = reachOf(list, all_->sphereR);
+    const scalar reach = reachOf(list, *all_);
     List<DynamicList<label>> toRanks(nearRanks(x, radius, reach, period_));
 
     const auto tellBoth = [&](const verletList::spherePair& p)

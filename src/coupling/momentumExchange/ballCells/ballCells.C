@@ -190,7 +190,7 @@ void Foam::coupling::ballCells::findShared
     DynamicList<point> points(state.sphereX());
     DynamicList<label> cell(look(state));
     hosts_.find(mesh_, bins_, true, points, cell);
-    const List<scalar> guests(hosts_.send(state.sphereR));
+    const List<scalar> guests(hosts_.send(state.sphereR.list()));
 
     body_.clear();
     share_.clear();

@@ -449,6 +449,11 @@ void Foam::dem::hadesSolver::advance(const scalar t0, const scalar t1)
     if (watchdog_.valid())
     {
         watch(t0, t1);
+        if (areMany(state_.nSpheres()))
+        {
+            // The forces take its room
+            start_.forget();
+        }
     }
     unpack();
     for (std::size_t b = 0; b < start_.drag.given.size(); ++b)

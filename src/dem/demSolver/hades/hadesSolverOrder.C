@@ -47,10 +47,17 @@ bool Foam::dem::hadesSolver::order()
 
     // To sort takes about as long as a step
     constexpr scalar most = 0.1;
-    const spatialOrder space(sum(state_.sphereR)/state_.nSpheres());
+    const spatialOrder space(state_.meanRadius());
     if (!saved_ && space.disorder(state_.x) < most)
     {
         return false;
+    }
+    if (areMany(state_.nSpheres()))
+    {
+        // The next advance makes these anew
+        packed_.free();
+        state_.force.forget();
+        state_.torque.forget();
     }
     take(space.order(state_.x, state_.id));
     saved_ = false;

@@ -159,7 +159,7 @@ void Foam::dem::hadesSolver::checkClosing(const scalar t)
 
     // As much as bodies may overlap at the start
     const bodies& state = moving();
-    const wallTouch* touch = walls_.inTheWay(state.sphereR, 1e-3);
+    const wallTouch* touch = walls_.inTheWay(state.sphereR.list(), 1e-3);
     if (!group_.any(touch))
     {
         return;

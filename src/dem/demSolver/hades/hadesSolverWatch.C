@@ -59,23 +59,47 @@ Foam::scalar Foam::dem::hadesSolver::storedInContacts() const
     still.v = Zero;
     still.omega = Zero;
     scalar stored = 0;
-    for
-    (
-        const contactForce& c
-      : contactForces
-        (
-            contacts_,
-            materials_,
-            still,
-            list_.histories(),
-            input_.period,
-            walls_.together().accepted,
-            walls_.walls()
-        )
-    )
+    DynamicList<verletList::pairHistory> some;
+    const auto add = [&](const UList<wallTouch>& touches)
     {
-        stored += max(c.normal()*c.overlap, scalar(0));
-    }
+        for
+        (
+            const contactForce& c
+          : contactForces
+            (
+                contacts_,
+                materials_,
+                still,
+                some,
+                input_.period,
+                touches,
+                walls_.walls()
+            )
+        )
+        {
+            stored += max(c.normal()*c.overlap, scalar(0));
+        }
+        some.clear();
+    };
+
+    // A part of them at a time, unless they have shares of each other's
+    const label most =
+        materials_.laws().multiContact == "share" ? labelMax : 10000;
+    list_.forEachTouching
+    (
+        [&](const verletList::spherePair& p, const vector& xi)
+        {
+            verletList::pairHistory h;
+            h.pair = p;
+            h.xi = xi;
+            some.append(h);
+            if (some.size() == most)
+            {
+                add(UList<wallTouch>());
+            }
+        }
+    );
+    add(walls_.together().accepted);
     return group_.sum(stored);
 }
 
@@ -85,9 +109,7 @@ void Foam::dem::hadesSolver::keepStart()
     const contactLaws& laws = materials_.laws();
     const bool whole = laws.rollsBack() || laws.coheres("capillary");
     advanceStart& s = start_;
-    s.touching.clear();
-    s.names.clear();
-    s.slip.clear();
+    s.startSlip(areMany(state_.nSpheres()), summary_.nPairs);
     s.state.clear();
     if (whole && exchange_.valid())
     {
@@ -117,7 +139,7 @@ void Foam::dem::hadesSolver::keepStart()
                 {
                     s.touching.add(p);
                 }
-                s.slip.append(xi);
+                s.addSlip(xi);
             }
         );
     }
@@ -160,19 +182,23 @@ void Foam::dem::hadesSolver::goBack()
         *sleepers_ = *s.asleep;
     }
 
-    DynamicList<verletList::pairHistory> pairs;
+    List<verletList::pairHistory> pairs
+    (
+        s.touching.nPlain() + s.touching.nImages()
+    );
     DynamicList<namedPair> named(s.pairs);
     label n = 0;
     const auto historyOf = [&](const verletList::spherePair& p)
     {
         verletList::pairHistory h;
         h.pair = p;
-        h.xi = s.slip[n++];
+        h.xi = s.slipOf(n++);
         return h;
     };
     s.touching.forEach([&](const verletList::spherePair& p)
     {
-        pairs.append(historyOf(p));
+        const label k = n;
+        pairs[k] = historyOf(p);
     });
     for (label k = 0; k < s.names.size(); k += 5)
     {
@@ -200,11 +226,24 @@ void Foam::dem::hadesSolver::goBack()
         exchange_->setSaved(named, s.touches);
         exchange_->shareOut(state_, list_, walls_, true);
     }
+    else if (pairs.empty())
+    {
+        setHistory(s.whole);
+    }
     else
     {
-        contactHistory all(s.whole);
-        all.pairs.append(pairs);
-        setHistory(all);
+        // They are as the list has them, which makes room for them
+        list_.drop();
+        list_.setHistories
+        (
+            std::move(pairs), List<verletList::pairHistory>()
+        );
+        walls_.setTouches
+        (
+            s.whole.walls,
+            s.whole.wallsRolled,
+            s.whole.wallsBridged
+        );
     }
     s.state.reset(new bodies(state_));
 }

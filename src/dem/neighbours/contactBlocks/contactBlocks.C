@@ -9,8 +9,9 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "contactBlocks.H"
-#include "areMany.H"
+#include "nearPairs.H"
 #include "pairRuns.H"
+#include "setFresh.H"
 
 #include <algorithm>
 #include <numeric>
@@ -172,9 +173,12 @@ void Foam::dem::contactBlocks::place
 )
 {
     const label W = nLanes_;
-    i_.assign(nBlocks*W, 8*filler.i);
-    j_.assign(nBlocks*W, 8*filler.j);
-    image_.assign(nImages_ ? nBlocks*W : 0, periodicity::original);
+    setFresh(i_, nBlocks*W);
+    setFresh(j_, nBlocks*W);
+    setFresh(image_, nImages_ ? nBlocks*W : 0);
+    std::fill(i_.begin(), i_.end(), 8*filler.i);
+    std::fill(j_.begin(), j_.end(), 8*filler.j);
+    std::fill(image_.begin(), image_.end(), periodicity::original);
     onTrial_ = false;
 
     label p = 0;
@@ -228,10 +232,20 @@ void Foam::dem::contactBlocks::set
     setSize(now_, nBlocks);
     forAll(touching, p)
     {
-        const label k = slot(p);
-        put(k, touching[p]);
-        now_.touched[k/nLanes_] |= 1 << (k % nLanes_);
+        setTouching(p, touching[p]);
     }
+}
+
+
+void Foam::dem::contactBlocks::setTouching
+(
+    const label p,
+    const pairHistory& h
+)
+{
+    const label k = slot(p);
+    put(k, h);
+    now_.touched[k/nLanes_] |= 1 << (k % nLanes_);
 }
 
 
@@ -242,19 +256,18 @@ void Foam::dem::contactBlocks::keepTouching
 {
     // Those that stay go to the first lanes, as many as there are, and into
     // their order there
-    const std::vector<label>& from = touching();
     image_.resize(i_.size(), periodicity::original);
     trial_ = memory();
     onTrial_ = false;
     label n = 0;
-    for (const label k : from)
+    forEachTouching([&](const label k)
     {
         pairHistory h(history(k));
         if (change(h))
         {
             put(n++, h);
         }
-    }
+    });
     std::vector<label> order(orderOf(n));
     reorder(order);
 
@@ -285,65 +298,60 @@ void Foam::dem::contactBlocks::keepTouching
 }
 
 
-void Foam::dem::contactBlocks::set
+template<class Pairs>
+void Foam::dem::contactBlocks::setPairs
 (
-    const pairRuns& pairs,
+    const Pairs& pairs,
     const spherePair& filler
 )
 {
-    const std::vector<label>& from = touching();
     const label nBlocks = layOut(pairs.nPlain(), pairs.nImages());
-    const auto lane = [&](const label t) { return slot(pairs.touching()[t]); };
 
     // It goes there in place: as the order is the same, what goes down from
     // the first to the last, and then what goes up from the last to the first,
     // never meets what has yet to go
-    const label nTouching = label(pairs.touching().size());
     setRoom(now_, max(nBlocks, label(now_.touched.size())));
-    for (label t = 0; t < nTouching; ++t)
+    std::vector<unsigned char> touched(nBlocks, 0);
+    touchedLanes up(now_.touched, nLanes_);
+    pairs.forEachTouching([&](const label p)
     {
-        if (lane(t) < from[t])
-        {
-            move(from[t], lane(t));
-        }
-    }
-    for (label t = nTouching - 1; t >= 0; --t)
-    {
-        if (lane(t) > from[t])
-        {
-            move(from[t], lane(t));
-        }
-    }
-
-    setSize(now_, nBlocks);
-    for (const label p : pairs.touching())
-    {
+        up.next();
         const label k = slot(p);
-        now_.touched[k/nLanes_] |= 1 << (k % nLanes_);
-    }
+        touched[k/nLanes_] |= 1 << (k % nLanes_);
+        if (k < up.lane())
+        {
+            move(up.lane(), k);
+        }
+    });
+    touchedLanes down(now_.touched, nLanes_, true);
+    pairs.forEachTouchingBackwards([&](const label p)
+    {
+        down.previous();
+        if (slot(p) > down.lane())
+        {
+            move(down.lane(), slot(p));
+        }
+    });
+
+    now_.touched.swap(touched);
     place
     (
         [&](const auto& visit) { pairs.forEach(visit); }, nBlocks, filler
     );
-    if (areMany(nTouching))
-    {
-        std::vector<label>().swap(touching_);
-    }
 }
 
 
-const std::vector<Foam::label>& Foam::dem::contactBlocks::touching()
-{
-    touching_.clear();
-    for (label block = 0; block < label(now_.touched.size()); ++block)
-    {
-        for (unsigned left = now_.touched[block]; left; left &= left - 1)
-        {
-            touching_.push_back(block*nLanes_ + __builtin_ctz(left));
-        }
-    }
-    return touching_;
-}
+template void Foam::dem::contactBlocks::setPairs
+(
+    const pairRuns&,
+    const spherePair&
+);
+
+template void Foam::dem::contactBlocks::setPairs
+(
+    const nearPairs&,
+    const spherePair&
+);
 
 
 Foam::dem::contactBlocks::pairHistory Foam::dem::contactBlocks::history

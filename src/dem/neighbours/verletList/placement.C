@@ -9,6 +9,18 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "placement.H"
+#include "areMany.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+// By so much of their way half as long numbers are off, at most
+constexpr float roundOff = 2e-7f;
+
+} // End anonymous namespace
+
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -45,7 +57,41 @@ void Foam::dem::placement::start
 void Foam::dem::placement::setPlaces(const packedBodies& state)
 {
     const label n = state.nSpheres();
-    x.resize(3*std::size_t(n));
+    const std::size_t all = 3*std::size_t(n);
+    if (areMany(n))
+    {
+        inGroup.resize(all);
+        first.resize(3*(std::size_t(n)/nInGroup + 1));
+        std::vector<float> off(n);
+        float most = 0;
+        for (label s = 0; s < n; ++s)
+        {
+            const point c(state.centre(s));
+            scalar* const begin = first.data() + 3*(s/nInGroup);
+            for (direction d = 0; d < 3; ++d)
+            {
+                if (s % nInGroup == 0)
+                {
+                    begin[d] = c[d];
+                }
+                inGroup[s + d*std::size_t(n)] = float(c[d] - begin[d]);
+            }
+            off[s] = roundOff*mag(c - point(begin[0], begin[1], begin[2]));
+            most = max(most, off[s]);
+        }
+        if (most < 0.01*left)
+        {
+            for (label s = 0; s < n; ++s)
+            {
+                allowed[s] -= off[s];
+            }
+            left -= most;
+            return;
+        }
+        freePlaces();
+    }
+
+    x.resize(all);
     for (label s = 0; s < n; ++s)
     {
         const point c(state.centre(s));
@@ -56,14 +102,37 @@ void Foam::dem::placement::setPlaces(const packedBodies& state)
 }
 
 
+Foam::point Foam::dem::placement::place(const label s) const
+{
+    const std::size_t n = allowed.size();
+    if (!x.empty())
+    {
+        return point(x[s], x[s + n], x[s + 2*n]);
+    }
+    const scalar* const begin = first.data() + 3*(s/nInGroup);
+    return point
+    (
+        begin[0] + scalar(inGroup[s]),
+        begin[1] + scalar(inGroup[s + n]),
+        begin[2] + scalar(inGroup[s + 2*n])
+    );
+}
+
+
+void Foam::dem::placement::freePlaces()
+{
+    std::vector<scalar>().swap(x);
+    std::vector<scalar>().swap(first);
+    std::vector<float>().swap(inGroup);
+}
+
+
 void Foam::dem::placement::setPlaces
 (
     const packedBodies& state,
     const placement& sooner
 )
 {
-    // By so much of their way places are off, at most
-    constexpr float roundOff = 2e-7f;
     const label n = state.nSpheres();
     offset.resize(3*std::size_t(n));
     float most = 0;
@@ -72,10 +141,10 @@ void Foam::dem::placement::setPlaces
         const float off = roundOff*sooner.allowed[s];
         allowed[s] -= off;
         most = max(most, off);
-        const point c(state.centre(s));
-        offset[s] = float(c.x() - sooner.x[s]);
-        offset[s + n] = float(c.y() - sooner.x[s + n]);
-        offset[s + 2*n] = float(c.z() - sooner.x[s + 2*n]);
+        const vector way(state.centre(s) - sooner.place(s));
+        offset[s] = float(way.x());
+        offset[s + n] = float(way.y());
+        offset[s + 2*n] = float(way.z());
     }
     left -= most;
 }
@@ -90,11 +159,17 @@ bool Foam::dem::placement::over
     if (moved > left)
     {
         // The bound is used up: how far have they really moved?
+        const bool grouped = sooner.x.empty();
         left = state.wayLeft
         (
-            sooner.x.data(),
-            offset.empty() ? nullptr : offset.data(),
-            allowed.data()
+            placesBefore
+            {
+                grouped ? nullptr : sooner.x.data(),
+                grouped ? sooner.inGroup.data() : nullptr,
+                grouped ? sooner.first.data() : nullptr,
+                offset.empty() ? nullptr : offset.data(),
+                allowed.data()
+            }
         );
         moved = 0;
     }

@@ -12,6 +12,7 @@ License
 #include "areMany.H"
 #include "allowedKeys.H"
 #include "checkedEntry.H"
+#include "nearPairs.H"
 
 #include <algorithm>
 #include <malloc.h>
@@ -77,35 +78,32 @@ void Foam::dem::verletList::gather
     // What touched before a step on trial belongs to them: the step may be
     // undone
     const auto sooner = contactBlocks::before;
-    const std::vector<label>& touching = blocks.touching();
-    std::size_t next = 0;
+    touchedLanes lanes(blocks.touching());
+    bool left = true;
     spherePair touch;
-    const auto setTouch = [&]()
+    const auto nextTouch = [&]()
     {
-        if (next < touching.size())
+        left = lanes.next();
+        if (left)
         {
-            touch = blocks.pairInLane(touching[next]);
+            touch = blocks.pairInLane(lanes.lane());
         }
     };
-    setTouch();
+    nextTouch();
     const float* allowed = near_.allowed.data();
     const bool sleeping = asleep_.any();
-    found_.clear();
-    found_.reserve(pairs_.size(), state.nSpheres());
-    pairs_.forEach([&](const spherePair& p)
+    const nearPairs found(pairs_, [&](const spherePair& p)
     {
         if (sleeping && asleep_.leavesOut(p))
         {
-            return;
+            return nearPairs::far;
         }
 
         // Each pair that touches is one of them
-        if (next < touching.size() && !sooner(p, touch))
+        if (left && !sooner(p, touch))
         {
-            found_.addTouching(p);
-            ++next;
-            setTouch();
-            return;
+            nextTouch();
+            return nearPairs::touching;
         }
         const quad& a = xv[p.i].first;
         const quad& b = xv[p.j].first;
@@ -118,16 +116,9 @@ void Foam::dem::verletList::gather
             xv[p.i].second.w + xv[p.j].second.w
           + scalar(allowed[p.i]) + scalar(allowed[p.j]) + beyond;
 
-        if (magSqr(d) < sqr(reach))
-        {
-            found_.add(p);
-        }
+        return magSqr(d) < sqr(reach) ? nearPairs::near : nearPairs::far;
     });
-    blocks.set(found_, contactBlocks::fillerOf(state.nSpheres()));
-    if (areMany(state.nSpheres()))
-    {
-        found_.free();
-    }
+    blocks.setPairs(found, contactBlocks::fillerOf(state.nSpheres()));
 }
 
 
@@ -281,17 +272,17 @@ void Foam::dem::verletList::build(const packedBodies& state)
     // While it is searched, what is made anew in any case takes no memory
     pairs_.free();
     near_.free();
-    std::vector<scalar>().swap(far_.x);
+    far_.freePlaces();
     giveBack(n);
     search(state);
     far_.setPlaces(state);
     asleep_.setDue();
     for (contactBlocks* blocks : {&blocks_, &asleep_.blocks(), &reached_})
     {
-        for (const label lane : blocks->touching())
+        blocks->forEachTouching([&](const label lane)
         {
             found_.add(blocks->pairInLane(lane));
-        }
+        });
     }
     pairs_.set(found_, n);
     found_.free();

@@ -105,11 +105,11 @@ void Foam::dem::planeTouches::append
     pairs_.push_back(contactBlocks::spherePair(sphere, planeI));
     if (before)
     {
-        contactBlocks::pairHistory h;
-        h.pair = pairs_.back();
-        h.xi = before->xi;
-        std::copy(before->rate, before->rate + 4, h.rate);
-        kept_.append(h);
+        memory m;
+        m.pair = size() - 1;
+        m.xi = before->xi;
+        std::copy(before->rate, before->rate + 4, m.rate);
+        kept_.append(m);
     }
 }
 
@@ -121,18 +121,20 @@ void Foam::dem::planeTouches::set()
         return;
     }
     const contactBlocks::spherePair filler(pairs_[0].i, 0);
-    blocks_.set(kept_, filler);
     pairRuns pairs;
-    label next = 0;
     for (const contactBlocks::spherePair& p : pairs_)
     {
-        const bool kept =
-            next < kept_.size()
-         && !contactBlocks::before(p, kept_[next].pair);
-        kept ? pairs.addTouching(p) : pairs.add(p);
-        next += kept;
+        pairs.add(p);
     }
-    blocks_.set(pairs, filler);
+    blocks_.setPairs(pairs, filler);
+    for (const memory& m : kept_)
+    {
+        contactBlocks::pairHistory h;
+        h.pair = pairs_[m.pair];
+        h.xi = m.xi;
+        std::copy(m.rate, m.rate + 4, h.rate);
+        blocks_.setTouching(m.pair, h);
+    }
     kept_.clearStorage();
 
     const label n = blocks_.nLanes();
