@@ -57,6 +57,45 @@ void writeCarried
 }
 
 
+//- Write a list a body: owner says which body writes a contact, if it is 0 or
+//  more, and give(k, list) appends the so many values of contact k. One field
+//  at a time and no list longer than it must be: of a large scene they are a
+//  good part of the memory
+template<class Type, class Give>
+void writeOf
+(
+    lagrangianWriter& out,
+    const word& field,
+    const label nBodies,
+    const labelUList& owner,
+    const label nEach,
+    const Give& give
+)
+{
+    labelList n(nBodies, Zero);
+    for (const label b : owner)
+    {
+        if (b >= 0)
+        {
+            n[b] += nEach;
+        }
+    }
+    List<DynamicList<Type>> lists(nBodies);
+    forAll(lists, b)
+    {
+        lists[b].setCapacity(n[b]);
+    }
+    forAll(owner, k)
+    {
+        if (owner[k] >= 0)
+        {
+            give(k, lists[owner[k]]);
+        }
+    }
+    out.writeLists(field, lists);
+}
+
+
 void writePairs
 (
     lagrangianWriter& out,
@@ -66,29 +105,44 @@ void writePairs
     const bool periodic
 )
 {
-    List<DynamicList<label>> image(state.size());
-    List<DynamicList<label>> spheres(state.size());
-    List<DynamicList<vector>> slip(state.size());
-    for (const dem::verletList::pairHistory& h : pairs)
+    // The owner of the first body writes it
+    labelList owner(pairs.size());
+    forAll(owner, k)
     {
-        // The owner of the first body writes it
-        const label i = all.sphereBody[h.pair.i];
-        const label j = all.sphereBody[h.pair.j];
-        const label a = all.owns(i) ? state.find(all.id[i]) : -1;
-        if (a >= 0)
-        {
-            spheres[a].append(h.pair.i - all.firstSphere[i]);
-            spheres[a].append(all.id[j]);
-            spheres[a].append(h.pair.j - all.firstSphere[j]);
-            slip[a].append(h.xi);
-            image[a].append(h.pair.image);
-        }
+        const label i = all.sphereBody[pairs[k].pair.i];
+        owner[k] = all.owns(i) ? state.find(all.id[i]) : -1;
     }
-    out.writeLists("contactSpheres", spheres);
-    out.writeLists("contactSlip", slip);
+    const label n = state.size();
+    writeOf<label>
+    (
+        out, "contactSpheres", n, owner, 3,
+        [&](const label k, DynamicList<label>& spheres)
+        {
+            const dem::verletList::spherePair& p = pairs[k].pair;
+            const label j = all.sphereBody[p.j];
+            spheres.append(p.i - all.firstSphere[all.sphereBody[p.i]]);
+            spheres.append(all.id[j]);
+            spheres.append(p.j - all.firstSphere[j]);
+        }
+    );
+    writeOf<vector>
+    (
+        out, "contactSlip", n, owner, 1,
+        [&](const label k, DynamicList<vector>& slip)
+        {
+            slip.append(pairs[k].xi);
+        }
+    );
     if (periodic)
     {
-        out.writeLists("contactImage", image);
+        writeOf<label>
+        (
+            out, "contactImage", n, owner, 1,
+            [&](const label k, DynamicList<label>& image)
+            {
+                image.append(pairs[k].pair.image);
+            }
+        );
     }
 }
 
@@ -101,24 +155,38 @@ void writeWalls
     const UList<dem::wallTouch>& touches
 )
 {
-    List<DynamicList<label>> spheres(state.size());
-    List<DynamicList<vector>> normal(state.size());
-    List<DynamicList<vector>> slip(state.size());
-    for (const dem::wallTouch& t : touches)
+    labelList owner(touches.size());
+    forAll(owner, k)
     {
-        const label i = all.sphereBody[t.sphere];
-        const label b = state.find(all.id[i]);
-        if (b >= 0)
-        {
-            spheres[b].append(t.sphere - all.firstSphere[i]);
-            spheres[b].append(t.wallI);
-            normal[b].append(t.n);
-            slip[b].append(t.xi);
-        }
+        owner[k] = state.find(all.id[all.sphereBody[touches[k].sphere]]);
     }
-    out.writeLists("wallSpheres", spheres);
-    out.writeLists("wallNormal", normal);
-    out.writeLists("wallSlip", slip);
+    const label n = state.size();
+    writeOf<label>
+    (
+        out, "wallSpheres", n, owner, 2,
+        [&](const label k, DynamicList<label>& spheres)
+        {
+            const label s = touches[k].sphere;
+            spheres.append(s - all.firstSphere[all.sphereBody[s]]);
+            spheres.append(touches[k].wallI);
+        }
+    );
+    writeOf<vector>
+    (
+        out, "wallNormal", n, owner, 1,
+        [&](const label k, DynamicList<vector>& normal)
+        {
+            normal.append(touches[k].n);
+        }
+    );
+    writeOf<vector>
+    (
+        out, "wallSlip", n, owner, 1,
+        [&](const label k, DynamicList<vector>& slip)
+        {
+            slip.append(touches[k].xi);
+        }
+    );
 }
 
 } // End anonymous namespace
@@ -140,20 +208,22 @@ Foam::autoPtr<Foam::IOdictionary> Foam::cloudState::write
 {
     const dem::bodies& state = dem.state();
 
-    vectorField axis(state.size());
-    scalarField w(state.size());
-    vectorField L(state.size());
-    forAll(axis, b)
     {
-        axis[b] = state.q[b].v();
-        w[b] = state.q[b].w();
-        L[b] = state.L(b);
+        vectorField axis(state.size());
+        scalarField w(state.size());
+        vectorField L(state.size());
+        forAll(axis, b)
+        {
+            axis[b] = state.q[b].v();
+            w[b] = state.q[b].w();
+            L[b] = state.L(b);
+        }
+        out.write("position", state.x);
+        out.write("rotation", axis);
+        out.write("rotationW", w);
+        out.write("angularMomentum", L);
+        out.write("material", state.materialI.list());
     }
-    out.write("position", state.x);
-    out.write("rotation", axis);
-    out.write("rotationW", w);
-    out.write("angularMomentum", L);
-    out.write("material", state.materialI.list());
 
     if (immersed)
     {

@@ -281,8 +281,13 @@ void Foam::dem::packedBodies::setInstructions(const sweepSet& sweeps)
 }
 
 
-void Foam::dem::packedBodies::free()
+void Foam::dem::packedBodies::free(const bool onlyForces)
 {
+    if (onlyForces)
+    {
+        std::vector<quadPair>().swap(now_.ft);
+        return;
+    }
     now_ = records();
     old_ = records();
 }
@@ -290,7 +295,7 @@ void Foam::dem::packedBodies::free()
 
 void Foam::dem::packedBodies::clearForces()
 {
-    now_.ft.assign(now_.ft.size(), quadPair{{0, 0, 0, 0}, {0, 0, 0, 0}});
+    now_.ft.assign(nSpheres_ + 2, quadPair{{0, 0, 0, 0}, {0, 0, 0, 0}});
     std::copy(held_.begin(), held_.end(), now_.ft.begin());
 }
 

@@ -170,8 +170,21 @@ void Foam::dem::hadesSolver::computeForces
             }
         }
         const auto start = std::chrono::steady_clock::now();
+
+        // Nothing but the held forces is there yet: they make room
+        const bool makesRoom =
+            areMany(packed_.nSpheres()) && !exchange_.valid()
+         && !sleepers_.valid();
+        if (makesRoom)
+        {
+            packed_.free(true);
+        }
         list_.build(packed_);
         walls_.build(packed_, list_.allowed(), 0.5*list_.skin());
+        if (makesRoom)
+        {
+            packed_.clearForces();
+        }
         neighbourTime_ += secondsSince(start);
         ++nListsTimed_;
         packed_.asleep().setDue();

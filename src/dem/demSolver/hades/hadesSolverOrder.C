@@ -55,7 +55,7 @@ bool Foam::dem::hadesSolver::order()
     if (areMany(state_.nSpheres()))
     {
         // The next advance makes these anew
-        packed_.free();
+        packed_.free(false);
         state_.force.forget();
         state_.torque.forget();
     }

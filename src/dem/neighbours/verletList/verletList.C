@@ -275,7 +275,6 @@ void Foam::dem::verletList::build(const packedBodies& state)
     far_.freePlaces();
     giveBack(n);
     search(state);
-    far_.setPlaces(state);
     asleep_.setDue();
     for (contactBlocks* blocks : {&blocks_, &asleep_.blocks(), &reached_})
     {
@@ -286,6 +285,7 @@ void Foam::dem::verletList::build(const packedBodies& state)
     }
     pairs_.set(found_, n);
     found_.free();
+    far_.setPlaces(state);
 
     nearSkin_ = max(min(nearSkin_, min(fastSkin_, 4*skin_)), 0.1*skin_);
     setNear(state);

@@ -170,6 +170,9 @@ void Foam::dem::planeTouches::find(const packedBodies& state)
 Foam::dem::touchList Foam::dem::planeTouches::touches() const
 {
     touchList found;
+    label n = 0;
+    blocks_.forEachTouching([&](const label) { ++n; });
+    found.accepted.reserve(n);
     for (label k = 0; k < size(); ++k)
     {
         if (!blocks_.touches(k))

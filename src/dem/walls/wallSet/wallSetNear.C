@@ -42,8 +42,16 @@ void Foam::dem::wallSet::release()
 {
     if (planes_.size())
     {
-        contacts_.add(planes_.touches());
+        touchList ofPlanes(planes_.touches());
         planes_.clear();
+        if (contacts_.accepted.empty())
+        {
+            contacts_.accepted.transfer(ofPlanes.accepted);
+        }
+        else
+        {
+            contacts_.add(ofPlanes);
+        }
     }
 }
 
