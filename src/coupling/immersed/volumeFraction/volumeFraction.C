@@ -258,7 +258,7 @@ Foam::scalar Foam::coupling::volumeFraction::operator()
 ) const
 {
     const point& centre = mesh_.cellCentres()[cell];
-    const scalar phi = body.distance(centre);
+    const scalar phi = body.distance(centre, radius);
 
     if (phi >= radius)
     {

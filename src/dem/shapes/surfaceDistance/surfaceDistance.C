@@ -11,7 +11,9 @@ License
 #include "surfaceDistance.H"
 #include "treeBoundBox.H"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -36,6 +38,7 @@ void Foam::dem::surfaceDistance::setNormals()
 
     normal_.setSize(triangles.size());
     middle_.setSize(triangles.size());
+    outline_.setSize(triangles.size());
     reach_.setSize(triangles.size(), Zero);
     cornerNormal_.setSize(points.size(), Zero);
     edgeNormal_.setSize(triangles.size());
@@ -58,6 +61,8 @@ void Foam::dem::surfaceDistance::setNormals()
             const vector b = points[tri[(k + 2) % 3]] - p;
             const scalar angle = std::atan2(mag(a ^ b), a & b);
             cornerNormal_[tri[k]] += angle*normal_[t];
+            outline_[t].x[k] = p;
+            outline_[t].out[k] = a ^ normal_[t];
         }
     }
 
@@ -132,9 +137,8 @@ Foam::point Foam::dem::surfaceDistance::nearestOf
     vector& normal
 ) const
 {
-    const labelledTri& tri = surface_.surface().localFaces()[triangle];
-    const pointField& points = surface_.surface().localPoints();
-    const FixedList<point, 3> x{points[tri[0]], points[tri[1]], points[tri[2]]};
+    const outline& of = outline_[triangle];
+    const point* const x = of.x;
 
     // Beyond an edge, or a corner at one of its ends
     bool above = true;
@@ -142,12 +146,12 @@ Foam::point Foam::dem::surfaceDistance::nearestOf
     {
         const point& a = x[k];
         const point& b = x[(k + 1) % 3];
-        const vector along = b - a;
-        if (((along ^ normal_[triangle]) & (p - a)) <= 0)
+        if ((of.out[k] & (p - a)) <= 0)
         {
             continue;
         }
         above = false;
+        const vector along = b - a;
         const scalar part = ((p - a) & along)/magSqr(along);
         if (part > 0 && part < 1)
         {
@@ -169,7 +173,8 @@ Foam::point Foam::dem::surfaceDistance::nearestOf
             best = k;
         }
     }
-    normal = cornerNormal_[tri[best]];
+    normal =
+        cornerNormal_[surface_.surface().localFaces()[triangle][best]];
     return x[best];
 }
 
@@ -213,30 +218,64 @@ Foam::dem::surfaceDistance::surfaceDistance
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::dem::surfaceDistance::hit
-Foam::dem::surfaceDistance::operator()(const point& p) const
+Foam::dem::surfaceDistance::operator()
+(
+    const point& p,
+    const label near
+) const
 {
-    return make(surface_.tree().findNearest(p, sqr(GREAT)).index(), p);
+    // A little farther, so that which is found does not hang on round-off
+    constexpr scalar slack = 1 + 1e-6;
+
+    vector normal;
+    const scalar within =
+        near < 0
+      ? sqr(GREAT)
+      : sqr(slack*mag(p - nearestOf(near, p, normal)) + 1e-9*radius_);
+    return make(surface_.tree().findNearest(p, within).index(), p);
 }
 
 
 Foam::dem::surfaceDistance::hit Foam::dem::surfaceDistance::operator()
 (
     const point& p,
-    const labelUList& some
+    const neighbours& some,
+    const label first
 ) const
 {
-    label best = -1;
-    scalar least = GREAT;
+    // Which is found must not depend on which is looked at first: not on the
+    // round-off of what is left out, and of two as near it is that of lower
+    // number
+    constexpr scalar slack = 1 + 1e-9;
+
     vector normal;
-    for (const label t : some)
+    label best = first;
+    scalar least = first < 0 ? GREAT : mag(p - nearestOf(first, p, normal));
+    const scalar away = slack*mag(p - some.centre);
+    forAll(some.triangles, k)
     {
-        // Most are farther away by the balls around them
-        if (magSqr(p - middle_[t]) >= sqr(least + reach_[t]))
+        // It, and what follows, is too far from here even so
+        if (some.least[k] - away > least*slack)
+        {
+            break;
+        }
+        const label t = some.triangles[k];
+        const vector way = p - middle_[t];
+        const scalar way2 = magSqr(way);
+        if (way2 > sqr(least*slack + reach_[t]))
+        {
+            continue;
+        }
+
+        // Or by its plane and the disc in it
+        const scalar height2 = sqr(way & normal_[t]);
+        const scalar rest2 = sqr(least*slack) - height2;
+        if (rest2 < 0 || way2 - height2 > sqr(reach_[t] + sqrt(rest2))*slack)
         {
             continue;
         }
         const scalar d = mag(p - nearestOf(t, p, normal));
-        if (d < least)
+        if (d < least || (d == least && t < best))
         {
             least = d;
             best = t;
@@ -246,14 +285,39 @@ Foam::dem::surfaceDistance::hit Foam::dem::surfaceDistance::operator()
 }
 
 
-Foam::labelList Foam::dem::surfaceDistance::within
+Foam::dem::surfaceDistance::neighbours Foam::dem::surfaceDistance::within
 (
     const point& p,
     const scalar distance
 ) const
 {
     const vector half = distance*vector::one;
-    return surface_.tree().findBox(treeBoundBox(p - half, p + half));
+    const labelList found
+    (
+        surface_.tree().findBox(treeBoundBox(p - half, p + half))
+    );
+    std::vector<std::pair<scalar, label>> near;
+    near.reserve(found.size());
+    for (const label t : found)
+    {
+        const scalar least = mag(p - middle_[t]) - reach_[t];
+        if (least <= distance)
+        {
+            near.emplace_back(least, t);
+        }
+    }
+    std::sort(near.begin(), near.end());
+
+    neighbours n;
+    n.centre = p;
+    n.triangles.setSize(near.size());
+    n.least.setSize(near.size());
+    forAll(n.triangles, k)
+    {
+        n.least[k] = near[k].first;
+        n.triangles[k] = near[k].second;
+    }
+    return n;
 }
 
 

@@ -1,0 +1,66 @@
+# -----------------------------------------------------------------------------
+#  Styx: rigid particles in OpenFOAM flows
+#  Copyright (C) 2026 The Styx founders
+# -----------------------------------------------------------------------------
+# License
+#     This file is part of Styx, which is free software: GPL-3.0-or-later,
+#     without any warranty. See the file COPYING.
+#
+# Usage
+#     ../../../bin/styxRender picture.py FILE.png [time]
+#
+# Description
+#     Draws the case that it stands in: the rock's spheres, the water and its
+#     surface. Takes the written time next to the one named (else the last).
+# -----------------------------------------------------------------------------
+
+from paraview.simple import (
+    CellDatatoPointData, Clip, Contour, ExtractBlock, Outline, Show)
+from styxScene import balls, headings, openCase, run, save
+
+
+def part(reader, selector):
+    return ExtractBlock(Input=reader, Selectors=[selector])
+
+
+def plain(shown, colour, opacity=1):
+    shown.Representation = "Surface"
+    shown.ColorArrayName = [None, ""]
+    shown.DiffuseColor = shown.AmbientColor = colour
+    shown.Opacity = opacity
+    return shown
+
+
+def main(png, time=None):
+    reader, view, time = openCase((1600, 1200), "lagrangian/demCloudSpheres",
+                                  time, sky=True)
+    reader.MeshRegions = ["internalMesh", "lagrangian/demCloudSpheres"]
+    reader.CellArrays = ["alpha.water"]
+    reader.UpdatePipeline(time)
+
+    # The water, as if of glass, and its surface
+    mesh = part(reader, "/Root/internalMesh")
+    alpha = CellDatatoPointData(Input=mesh)
+    water = Clip(Input=alpha)
+    water.ClipType = "Scalar"
+    water.Scalars = ["POINTS", "alpha.water"]
+    water.Value = 0.5
+    water.Invert = 0
+    plain(Show(water, view), [0.25, 0.55, 0.75], 0.25)
+    surface = Contour(Input=alpha)
+    surface.ContourBy = ["POINTS", "alpha.water"]
+    surface.Isosurfaces = [0.5]
+    plain(Show(surface, view), [0.30, 0.62, 0.82], 0.45).Specular = 0.4
+    plain(Show(Outline(Input=mesh), view), [0.30, 0.34, 0.38]).LineWidth = 2
+
+    # The rock
+    spheres = balls(part(reader, "/Root/lagrangian"), corners=48)
+    rock = plain(Show(spheres, view), [0.62, 0.58, 0.53])
+    rock.Specular, rock.SpecularPower = 0.15, 12
+
+    headings("Pumice floats: a rock of 640 kg/m3",
+             f"t = {time:.2f} s    interFoam, Styx", view)
+    save(png, view, [0.20, -0.26, 0.115], [0.06, 0.06, 0.046], 24)
+
+
+run(main)
