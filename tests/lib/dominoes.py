@@ -44,3 +44,25 @@ def fallTimes(case, clusters, couplings, steps):
         times[cluster, coupling, step] = (math.nan if time == "-"
                                           else float(time))
     return times
+
+
+def startsOf(case, cluster, coupling, step, number):
+    """Fall times where the first column leans by a millionth of a degree more
+    from one start to the next [s]."""
+    times = []
+    for k in range(1, number + 1):
+        run = "starts/%s_%s_%s_%d" % (cluster, coupling, step, k)
+        runIn(case, "./makeCase", cluster, coupling, step, run)
+        runIn(case + "/" + run, "foamDictionary", "-entry",
+              "bodies.column1.rotation", "-set",
+              "((0 1 0) %.6f)" % (12 + 1e-6*k),
+              "constant/demCloudProperties")
+        runIn(case + "/" + run, "blockMesh")
+        runIn(case + "/" + run,
+              "demFoam" if coupling == "vacuum" else "pimpleFoam")
+        with open(case + "/" + run
+                  + "/postProcessing/fallen/0/massFlow.dat") as rows:
+            fallen = [row.split() for row in rows if row[0] != "#"]
+        times += [float(row[0]) for row in fallen if int(row[1]) > 0][:1]
+    print("%s %s %s s: %s" % (cluster, coupling, step, times))
+    return times

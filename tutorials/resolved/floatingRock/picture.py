@@ -10,13 +10,20 @@
 #     ../../../bin/styxRender picture.py FILE.png [time]
 #
 # Description
-#     Draws the case that it stands in: the rock's spheres, the water and its
+#     Draws the case that it stands in: the rock, the water and its
 #     surface. Takes the written time next to the one named (else the last).
 # -----------------------------------------------------------------------------
 
+import os
+import sys
+import tempfile
+
 from paraview.simple import (
-    CellDatatoPointData, Clip, Contour, ExtractBlock, Outline, Show)
-from styxScene import balls, headings, openCase, run, save
+    CellDatatoPointData, Clip, Contour, ExtractBlock, Outline, STLReader, Show)
+from styxScene import headings, openCase, run, save
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from rock import placed     # beside this file
 
 
 def part(reader, selector):
@@ -29,6 +36,16 @@ def plain(shown, colour, opacity=1):
     shown.DiffuseColor = shown.AmbientColor = colour
     shown.Opacity = opacity
     return shown
+
+
+def write(triangles, stl):
+    stl.write("solid rock\n")
+    for corners in triangles:
+        stl.write("facet normal 0 0 0\nouter loop\n")
+        for corner in corners:
+            stl.write("vertex %.9g %.9g %.9g\n" % tuple(corner))
+        stl.write("endloop\nendfacet\n")
+    stl.write("endsolid rock\n")
 
 
 def main(png, time=None):
@@ -53,10 +70,14 @@ def main(png, time=None):
     plain(Show(surface, view), [0.30, 0.62, 0.82], 0.45).Specular = 0.4
     plain(Show(Outline(Input=mesh), view), [0.30, 0.34, 0.38]).LineWidth = 2
 
-    # The rock
-    spheres = balls(part(reader, "/Root/lagrangian"), corners=48)
-    rock = plain(Show(spheres, view), [0.62, 0.58, 0.53])
-    rock.Specular, rock.SpecularPower = 0.15, 12
+    # The rock as the water sees it
+    with tempfile.NamedTemporaryFile("w", suffix=".stl") as stl:
+        write(placed("%g" % time)[0], stl)
+        stl.flush()
+        surface = STLReader(FileNames=[stl.name])
+        surface.UpdatePipeline()
+        rock = plain(Show(surface, view), [0.66, 0.62, 0.56])
+    rock.Interpolation = "Flat"
 
     headings("Pumice floats: a rock of 640 kg/m3",
              f"t = {time:.2f} s    interFoam, Styx", view)
