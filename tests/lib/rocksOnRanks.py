@@ -9,7 +9,8 @@
 # Description
 #     The tutorial fallingRocks, shortened to so many fluid steps in which three
 #     rocks come in, hit the pipe and each other, on several numbers of ranks.
-#         compareRanks("name", {2: "(2 1 1)"}, levels=1, steps=100, bar=1e-5)
+#         compareRanks("name", {2: "(2 1 1)"}, levels=1, steps=100, bars={2: 1e-5})
+#     in steps of 0.2 s over their number.
 #     The linear solvers are tight: what they leave is what the ranks differ by,
 #     and each collision makes it larger.
 #------------------------------------------------------------------------------
@@ -21,6 +22,7 @@ from cloudCase import copyCase, distance, meshChanges, readBodies, runIn, \
     runParallel
 from figure import figure, figureTrue
 
+end = "0.2"
 diameter = 0.04     # of the sphere of the rock's volume [m], rounded down
 
 tight = """solvers
@@ -29,7 +31,7 @@ tight = """solvers
     {
         solver          GAMG;
         smoother        DICGaussSeidel;
-        tolerance       1e-11;
+        tolerance       1e-13;
         relTol          0;
     }
 
@@ -37,7 +39,7 @@ tight = """solvers
     {
         solver          PBiCGStab;
         preconditioner  DILU;
-        tolerance       1e-12;
+        tolerance       1e-14;
         relTol          0;
     }
 }
@@ -45,7 +47,7 @@ tight = """solvers
 """
 
 
-def prepare(case, levels, end):
+def prepare(case, levels, steps):
     """The tutorial as far as the mesh, shortened."""
     copyCase(os.environ["STYX_DIR"] + "/tutorials/resolved/fallingRocks", case)
     runIn(case, "./Allclean")
@@ -58,6 +60,7 @@ def prepare(case, levels, end):
     copyCase(case + "/0.orig", case + "/0")
 
     setEntry(case + "/system/controlDict", "endTime", end)
+    setEntry(case + "/system/controlDict", "deltaT", "%g" % (0.2/steps))
     setEntry(case + "/constant/dynamicMeshDict", "maxRefinement", str(levels))
     particles = case + "/constant/demCloudProperties"
     for key, value in (("rate", "30"), ("total", "3"),
@@ -72,10 +75,9 @@ def prepare(case, levels, end):
                             flags=re.S))
 
 
-def compareRanks(name, blocks, levels, steps, bar):
+def compareRanks(name, blocks, levels, steps, bars):
     """Figures of each number of ranks against one."""
-    end = "%g" % (0.002*steps)
-    prepare("case", levels, end)
+    prepare("case", levels, steps)
     copyCase("case", "ranks1")
     log = runIn("ranks1", "pimpleFoam")
     expected = readBodies("ranks1", end, "position")
@@ -97,7 +99,8 @@ def compareRanks(name, blocks, levels, steps, bar):
         log = runParallel(case, ranks, "pimpleFoam", n)
         found = readBodies(case, end, "position")
         figure("%s_%d" % (name, ranks),
-               distance(expected, found, "position")/diameter, None, bar,
+               distance(expected, found, "position")/diameter, None,
+               bars[ranks],
                "d", "%d ranks against 1 after %d steps" % (ranks, steps))
         figureTrue("%s_%d_cells" % (name, ranks),
                    meshChanges(log) == changes,
