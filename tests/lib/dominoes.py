@@ -15,6 +15,7 @@
 #------------------------------------------------------------------------------
 import math
 import os
+import re
 import subprocess
 
 from cloudCase import copyCase, runIn
@@ -53,10 +54,13 @@ def startsOf(case, cluster, coupling, step, number):
     for k in range(1, number + 1):
         run = "starts/%s_%s_%s_%d" % (cluster, coupling, step, k)
         runIn(case, "./makeCase", cluster, coupling, step, run)
-        runIn(case + "/" + run, "foamDictionary", "-entry",
-              "bodies.column1.rotation", "-set",
-              "((0 1 0) %.6f)" % (12 + 1e-6*k),
-              "constant/demCloudProperties")
+        file = case + "/" + run + "/constant/demCloudProperties"
+        with open(file) as text:
+            leaning, n = re.subn(r"rotation\s[^;]*;", "rotation ((0 1 0) %.9f);"
+                                 % (12 + 1e-6*k), text.read(), count=1)
+        assert n == 1, file
+        with open(file, "w") as text:
+            text.write(leaning)
         runIn(case + "/" + run, "blockMesh")
         runIn(case + "/" + run,
               "demFoam" if coupling == "vacuum" else "pimpleFoam")
