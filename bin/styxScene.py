@@ -10,6 +10,8 @@
 #     What pictures of beds share, for ParaView scripts that styxRender runs:
 #         reader, view, time = openCase((1400, 1200), "lagrangian/demCloud")
 #         balls(source, 0.001)        spheres of one diameter at the points
+#         plain(Show(...), [0.7, 0.5, 0.3], 0.5)      one colour, half opaque
+#         glassWater(reader, view)    what alpha.water is, its surface, the box
 #         coloured(Show(...), view, ("CELLS", "U"), "X", (0, 1), "Blues",
 #                  "water [m/s]", [0.6, 0.06], horizontal=True)
 #         heading("A bed", view)
@@ -20,8 +22,9 @@ import os
 import sys
 
 from paraview.simple import (
-    ColorBy, CreateView, GetColorTransferFunction, GetScalarBar, Glyph,
-    OpenFOAMReader, SaveScreenshot, Show, Text)
+    CellDatatoPointData, Clip, ColorBy, Contour, CreateView, ExtractBlock,
+    GetColorTransferFunction, GetScalarBar, Glyph, OpenFOAMReader, Outline,
+    SaveScreenshot, Show, Text)
 
 dark = [0.1, 0.1, 0.1]
 
@@ -51,6 +54,37 @@ def openCase(size, cloud, time=None, sky=False):
     view.OrientationAxesVisibility = 0
     reader.UpdatePipeline(time)
     return reader, view, time
+
+
+def part(reader, *selectors):
+    return ExtractBlock(Input=reader, Selectors=list(selectors))
+
+
+def plain(shown, colour, opacity=1):
+    """In one colour."""
+    shown.Representation = "Surface"
+    shown.ColorArrayName = [None, ""]
+    shown.DiffuseColor = shown.AmbientColor = colour
+    shown.Opacity = opacity
+    return shown
+
+
+def glassWater(reader, view):
+    """The water of the field alpha.water, its surface, and the edges of the
+    domain."""
+    mesh = part(reader, "/Root/internalMesh")
+    alpha = CellDatatoPointData(Input=mesh)
+    water = Clip(Input=alpha)
+    water.ClipType = "Scalar"
+    water.Scalars = ["POINTS", "alpha.water"]
+    water.Value = 0.5
+    water.Invert = 0
+    plain(Show(water, view), [0.25, 0.55, 0.75], 0.25)
+    surface = Contour(Input=alpha)
+    surface.ContourBy = ["POINTS", "alpha.water"]
+    surface.Isosurfaces = [0.5]
+    plain(Show(surface, view), [0.30, 0.62, 0.82], 0.45).Specular = 0.4
+    plain(Show(Outline(Input=mesh), view), [0.30, 0.34, 0.38]).LineWidth = 2
 
 
 def balls(source, diameter=None, corners=20):

@@ -21,14 +21,13 @@ import re
 
 import numpy
 from paraview.simple import (
-    ColorBy, ExtractBlock, FeatureEdges, GetColorTransferFunction,
-    GetOpacityTransferFunction, GetScalarBar, Plane, Show, Slice,
-    TrivialProducer)
+    ColorBy, FeatureEdges, GetColorTransferFunction, GetOpacityTransferFunction,
+    GetScalarBar, Plane, Show, Slice, TrivialProducer)
 from paraview.vtk import (
     vtkCellArray, vtkPoints, vtkPolyData, vtkUnsignedCharArray)
 from paraview.vtk.numpy_interface import dataset_adapter
 from paraview.servermanager import Fetch
-from styxScene import headings, openCase, run, save
+from styxScene import headings, openCase, part, plain, run, save
 
 SLICE_Y = 0.012         # between the pipe's axis and its rear wall [m]
 TOP_SPEED = 0.8         # where the colours end [m/s]
@@ -86,17 +85,6 @@ def posedRocks(cloud, template, surface):
     rocks.SetPolys(faces)
     rocks.GetCellData().SetScalars(colours)
     return rocks, len(numpy.unique(body))
-
-
-def part(reader, *selectors):
-    return ExtractBlock(Input=reader, Selectors=list(selectors))
-
-
-def plain(shown, colour):
-    shown.Representation = "Surface"
-    shown.ColorArrayName = [None, ""]
-    shown.DiffuseColor = shown.AmbientColor = colour
-    return shown
 
 
 def main(png, time=None):

@@ -14,21 +14,9 @@
 #     surface. Takes the written time next to the one named (else the last).
 # -----------------------------------------------------------------------------
 
-from paraview.simple import (
-    CellDatatoPointData, Clip, Contour, ExtractBlock, Outline, Show)
-from styxScene import balls, headings, openCase, run, save
-
-
-def part(reader, selector):
-    return ExtractBlock(Input=reader, Selectors=[selector])
-
-
-def plain(shown, colour, opacity=1):
-    shown.Representation = "Surface"
-    shown.ColorArrayName = [None, ""]
-    shown.DiffuseColor = shown.AmbientColor = colour
-    shown.Opacity = opacity
-    return shown
+from paraview.simple import Show
+from styxScene import (
+    balls, glassWater, headings, openCase, part, plain, run, save)
 
 
 def main(png, time=None):
@@ -38,20 +26,7 @@ def main(png, time=None):
     reader.CellArrays = ["alpha.water"]
     reader.UpdatePipeline(time)
 
-    # The water, as if of glass, and its surface
-    mesh = part(reader, "/Root/internalMesh")
-    alpha = CellDatatoPointData(Input=mesh)
-    water = Clip(Input=alpha)
-    water.ClipType = "Scalar"
-    water.Scalars = ["POINTS", "alpha.water"]
-    water.Value = 0.5
-    water.Invert = 0
-    plain(Show(water, view), [0.25, 0.55, 0.75], 0.25)
-    surface = Contour(Input=alpha)
-    surface.ContourBy = ["POINTS", "alpha.water"]
-    surface.Isosurfaces = [0.5]
-    plain(Show(surface, view), [0.30, 0.62, 0.82], 0.45).Specular = 0.4
-    plain(Show(Outline(Input=mesh), view), [0.30, 0.34, 0.38]).LineWidth = 2
+    glassWater(reader, view)
 
     # The block
     spheres = balls(part(reader, "/Root/lagrangian"), corners=48)

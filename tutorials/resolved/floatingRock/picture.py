@@ -18,24 +18,11 @@ import os
 import sys
 import tempfile
 
-from paraview.simple import (
-    CellDatatoPointData, Clip, Contour, ExtractBlock, Outline, STLReader, Show)
-from styxScene import headings, openCase, run, save
+from paraview.simple import STLReader, Show
+from styxScene import glassWater, headings, openCase, plain, run, save
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from rock import placed     # beside this file
-
-
-def part(reader, selector):
-    return ExtractBlock(Input=reader, Selectors=[selector])
-
-
-def plain(shown, colour, opacity=1):
-    shown.Representation = "Surface"
-    shown.ColorArrayName = [None, ""]
-    shown.DiffuseColor = shown.AmbientColor = colour
-    shown.Opacity = opacity
-    return shown
 
 
 def write(triangles, stl):
@@ -55,20 +42,7 @@ def main(png, time=None):
     reader.CellArrays = ["alpha.water"]
     reader.UpdatePipeline(time)
 
-    # The water, as if of glass, and its surface
-    mesh = part(reader, "/Root/internalMesh")
-    alpha = CellDatatoPointData(Input=mesh)
-    water = Clip(Input=alpha)
-    water.ClipType = "Scalar"
-    water.Scalars = ["POINTS", "alpha.water"]
-    water.Value = 0.5
-    water.Invert = 0
-    plain(Show(water, view), [0.25, 0.55, 0.75], 0.25)
-    surface = Contour(Input=alpha)
-    surface.ContourBy = ["POINTS", "alpha.water"]
-    surface.Isosurfaces = [0.5]
-    plain(Show(surface, view), [0.30, 0.62, 0.82], 0.45).Specular = 0.4
-    plain(Show(Outline(Input=mesh), view), [0.30, 0.34, 0.38]).LineWidth = 2
+    glassWater(reader, view)
 
     # The rock as the water sees it
     with tempfile.NamedTemporaryFile("w", suffix=".stl") as stl:
