@@ -107,7 +107,7 @@ Foam::scalar Foam::dem::fluidDrag::meanRate
 
 bool Foam::dem::fluidDrag::meanRateNear
 (
-    const local& l,
+    const dragRecord& l,
     const vector& slip,
     const vector& a,
     const scalar h,
@@ -115,21 +115,21 @@ bool Foam::dem::fluidDrag::meanRateNear
 )
 {
     scalar d;
-    if (!l.holds(mag(slip), d))
+    if (!holds(l, mag(slip), d))
     {
         return false;
     }
-    const scalar k0 = l.at(d);
+    const scalar k0 = rateAt(l, d);
     const scalar z = k0*h;
     const vector end = slip - h*(1 - 0.5*z)*(a + k0*slip);
-    if (!(z < 2e-3) || !l.holds(mag(end), d))
+    if (!(z < 2e-3) || !holds(l, mag(end), d))
     {
         return false;
     }
 
     // The share of the start is 1/2 - z/12; of rates that are this close the
     // sum of the shares is their power to (change/k0)^2/8
-    const scalar change = l.at(d) - k0;
+    const scalar change = rateAt(l, d) - k0;
     k = k0 + (0.5 + (1.0/12)*z)*change;
     return mag(change) < 5e-4*k0;
 }
@@ -151,7 +151,7 @@ void Foam::dem::fluidDrag::takeExpansion
         near_[b] =
             source[b] >= 0
           ? from.near_[source[b]]
-          : local{1, -1, 0, 0, 0};
+          : dragRecord{{0, 0, 0}, 1, -1, 0, 0, 0};
     }
 }
 
@@ -172,7 +172,7 @@ Foam::vector Foam::dem::fluidDrag::kick
     scalar k;
     if (known && meanRateNear(near_[b], slip, free, h, k))
     {
-        // Two terms of phi: the next is below 1e-10
+        // Four terms of phi: the next is below 1e-12
         const scalar z = k*h;
         return h*(1 - z*(0.5 - z*(1.0/6 - z*(1.0/24))))*(free + k*slip);
     }

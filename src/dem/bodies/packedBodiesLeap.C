@@ -12,6 +12,8 @@ License
 #include "quadRecords.H"
 #include "rotation.H"
 
+#include <numeric>
+
 using Foam::dem::quadRecords::record;
 using Foam::dem::quadRecords::vectorOf;
 
@@ -114,36 +116,54 @@ Foam::vector Foam::dem::packedBodies::driven
 }
 
 
+void Foam::dem::packedBodies::kickSingles
+(
+    const leapData& data,
+    const records& from
+)
+{
+    int left[atOnce];
+    kickData kick;
+    kick.bodies = allSingle_ ? nullptr : singleBody_.data();
+    kick.drag = drag_->expanded(nBodies_);
+    kick.width = fluidDrag::width;
+    kick.given =
+        given_.given.empty() ? nullptr : given_.given.data()->data();
+    kick.metered = metered_;
+    kick.left = left;
+    if (kick.drag)
+    {
+        sweeps_->kick(data, kick);
+        given_.impulse += vector(kick.impulse[0], kick.impulse[1], kick.impulse[2]);
+        given_.work += kick.work;
+    }
+    else
+    {
+        kick.nLeft = data.last - data.first;
+        std::iota(left, left + kick.nLeft, data.first);
+    }
+
+    for (int i = 0; i < kick.nLeft; ++i)
+    {
+        const label k = left[i];
+        const label s = singleSphere(k);
+        const quad v = from.v(s);
+        const vector a = g_ + from.x(s).w*vectorOf(from.f(s));
+        now_.v(s) = record
+        (
+            driven(singleBody(k), vectorOf(v), a, 0.5*data.dt, given_),
+            v.w
+        );
+    }
+}
+
+
 void Foam::dem::packedBodies::leapSingles
 (
     const records& from,
     const scalar dt
 )
 {
-    const label n = nSingles();
-    const vector& g = g_;
-    if (drag_)
-    {
-        for (label k = 0; k < n; ++k)
-        {
-            const label s = singleSphere(k);
-            const quad& v = from.v(s);
-            const scalar mInverse = from.x(s).w;
-            now_.v(s) = record
-            (
-                driven
-                (
-                    singleBody(k),
-                    vectorOf(v),
-                    g + mInverse*vectorOf(from.f(s)),
-                    0.5*dt,
-                    given_
-                ),
-                v.w
-            );
-        }
-    }
-
     leapData data;
     data.xv = from.xv.data();
     data.w = from.w.data();
@@ -151,15 +171,26 @@ void Foam::dem::packedBodies::leapSingles
     data.xvTo = now_.xv.data();
     data.wTo = now_.w.data();
     data.ftTo = now_.ft.data();
-    data.n = n;
     data.list = allSingle_ ? nullptr : single_.data();
     data.moved = drag_;
     data.h = pending_ + 0.5*dt;
     data.dt = dt;
-    std::copy(g.cdata(), g.cdata() + 3, data.g);
+    std::copy(g_.cdata(), g_.cdata() + 3, data.g);
     data.held = held_.empty() ? nullptr : held_.data();
 
-    sweeps_->leap(data, singleBounds_);
+    // Those that are kicked are still in the cache when they leap
+    const label n = nSingles();
+    const label most = drag_ ? atOnce : n;
+    singleBounds_ = {};
+    for (data.first = 0; data.first < n; data.first = data.last)
+    {
+        data.last = min(data.first + most, n);
+        if (drag_)
+        {
+            kickSingles(data, from);
+        }
+        sweeps_->leap(data, singleBounds_);
+    }
 }
 
 

@@ -17,6 +17,7 @@ Description
 #define STYX_INSTRUCTIONS avx2
 
 #include "contactSweep.H"
+#include "kickSpheres.H"
 #include "leapClumps.H"
 #include "leapSpheres.H"
 #include "wayLeft.H"
@@ -26,6 +27,7 @@ const Foam::dem::sweepSet Foam::dem::sweepAvx2
     STYX_LANES,
     &avx2::sweep,
     &avx2::sweepReach,
+    &avx2::kick,
     &avx2::leap,
     &avx2::leapClumps,
     &avx2::spreadClumps,

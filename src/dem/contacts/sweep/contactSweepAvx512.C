@@ -17,6 +17,7 @@ Description
 #define STYX_INSTRUCTIONS avx512
 
 #include "contactSweep.H"
+#include "kickSpheres.H"
 #include "leapClumps.H"
 #include "leapSpheres.H"
 #include "wayLeft.H"
@@ -26,6 +27,7 @@ const Foam::dem::sweepSet Foam::dem::sweepAvx512
     STYX_LANES,
     &avx512::sweep,
     &avx512::sweepReach,
+    &avx512::kick,
     &avx512::leap,
     &avx512::leapClumps,
     &avx512::spreadClumps,

@@ -15,6 +15,7 @@ Description
 #define STYX_INSTRUCTIONS sse2
 
 #include "contactSweep.H"
+#include "kickSpheres.H"
 #include "leapClumps.H"
 #include "leapSpheres.H"
 #include "wayLeft.H"
@@ -24,6 +25,7 @@ const Foam::dem::sweepSet Foam::dem::sweepSse2
     STYX_LANES,
     &sse2::sweep,
     &sse2::sweepReach,
+    &sse2::kick,
     &sse2::leap,
     &sse2::leapClumps,
     &sse2::spreadClumps,
