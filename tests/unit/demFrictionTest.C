@@ -7,8 +7,6 @@ License
     without any warranty. See the file COPYING.
 
 Description
-
-Description
     Friction: sliding that turns into rolling, a cube of spheres that stays on
     a slope, a sphere that rolls down it.
 
@@ -144,6 +142,7 @@ TEST(demFriction, slipTurns)
         const label n = 1000;
         vec xi = {all(1e-6), all(0), all(0)};
         vec F = {};
+        mask slides = {};
         vector normal;
         for (label k = 1; k <= n; ++k)
         {
@@ -156,9 +155,11 @@ TEST(demFriction, slipTurns)
                 c,
                 normalLaws::hertz::stiffness(c),
                 all(1),
-                xi
+                xi,
+                slides
             );
         }
+        EXPECT_EQ(bits(slides), 0u);
         const vector expected =
             Foam::quaternion(w, scalar(1)).transform(vector(1e-6, 0, 0));
         const vector slip(xi.x[1], xi.y[1], xi.z[1]);

@@ -15,6 +15,7 @@ Description
 
 #include "demCase.H"
 #include "figure.H"
+#include "instructionSets.H"
 #include "sweepData.H"
 
 #include <gtest/gtest.h>
@@ -25,18 +26,6 @@ using namespace styxTest;
 
 namespace
 {
-
-bool has(const std::string& instructions)
-{
-    return
-        instructions == "avx512"
-      ? __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq")
-     && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw")
-      : instructions == "avx2"
-      ? __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")
-      : true;
-}
-
 
 //- Seven pairs, so that no number of lanes divides the number of contacts
 std::string pairsThatHit(const std::string& laws)
@@ -155,7 +144,7 @@ TEST(demSweep, instructions)
 
     for (const std::string name : {"avx2", "avx512", "auto"})
     {
-        if (!has(name))
+        if (!processorHas(name))
         {
             std::cout << "no " << name << " here" << std::endl;
             continue;
@@ -182,7 +171,7 @@ TEST(demSweep, wayLeft)
     // in any lane and behind the last whole vector
     for (const std::string name : {"sse2", "avx2", "avx512"})
     {
-        if (!has(name))
+        if (!processorHas(name))
         {
             std::cout << "no " << name << " here" << std::endl;
             continue;
@@ -251,7 +240,7 @@ TEST(demSweep, otherLaws)
     expected.run(0.008);
     for (const std::string name : {"avx2", "avx512"})
     {
-        if (!has(name))
+        if (!processorHas(name))
         {
             std::cout << "no " << name << " here" << std::endl;
             continue;

@@ -134,7 +134,8 @@ void Foam::dem::packedBodies::kickSingles
     if (kick.drag)
     {
         sweeps_->kick(data, kick);
-        given_.impulse += vector(kick.impulse[0], kick.impulse[1], kick.impulse[2]);
+        const double* p = kick.impulse;
+        given_.impulse += vector(p[0], p[1], p[2]);
         given_.work += kick.work;
     }
     else
