@@ -45,7 +45,8 @@ Foam::dem::clumpData Foam::dem::packedBodies::clumpsFrom
     data.ftTo = nullptr;
     data.from = reinterpret_cast<const clumpRecord*>(clumps.data());
     data.to = reinterpret_cast<clumpRecord*>(clumps_.data());
-    data.n = int(clumps.size());
+    data.first = 0;
+    data.last = int(clumps.size());
     data.list = nullptr;
     return data;
 }
@@ -63,7 +64,7 @@ void Foam::dem::packedBodies::spreadAll()
 void Foam::dem::packedBodies::spreadOne(const label k)
 {
     clumpData data(clumpsFrom(now_, clumps_));
-    data.n = 1;
+    data.last = 1;
     data.list = &k;
     data.ftTo = now_.ft.data();
     sweeps_->spreadClumps(data);
@@ -246,7 +247,6 @@ void Foam::dem::packedBodies::leapClumps
 
     clumpData data(clumpsFrom(from, clumps));
     data.ftTo = now_.ft.data();
-    data.n = int(ownClump_.size());
     data.list = all ? nullptr : ownClump_.data();
     data.moved = drag_;
     data.h = pending_ + 0.5*dt;
@@ -255,12 +255,19 @@ void Foam::dem::packedBodies::leapClumps
     data.force = clumpForce_.data()->cdata();
     data.torque = clumpTorque_.data()->cdata();
 
-    clumpBounds bounds;
-    sweeps_->leapClumps(data, bounds);
-    sweeps_->spreadClumps(data);
-    motion_.speed = max(motion_.speed, bounds.speed);
-    motion_.turning = max(motion_.turning, bounds.turning);
-    motion_.acceleration = max(motion_.acceleration, bounds.acceleration);
+    // Their spheres are still in the cache when these follow
+    const int n = int(ownClump_.size());
+    const int most = 32;
+    for (data.first = 0; data.first < n; data.first = data.last)
+    {
+        data.last = min(data.first + most, n);
+        clumpBounds bounds;
+        sweeps_->leapClumps(data, bounds);
+        sweeps_->spreadClumps(data);
+        motion_.speed = max(motion_.speed, bounds.speed);
+        motion_.turning = max(motion_.turning, bounds.turning);
+        motion_.acceleration = max(motion_.acceleration, bounds.acceleration);
+    }
 }
 
 
