@@ -66,7 +66,7 @@ public:
         {
             u_[b] = vectorOf(1000 + b);
         }
-        startExpansion(n, u_);
+        startExpansion(n);
 
         // Around a slip that every fourth body has no more
         for (label b = 0; b < n; ++b)
@@ -75,7 +75,7 @@ public:
                 (b % 4 ? 1 + 0.03*numberOf(b) : 1.3)*mag(u_[b] - state.v[b]);
             expand
             (
-                b, massShare(b), s, rate(b, s),
+                b, u_[b], massShare(b), s, rate(b, s),
                 rate(b, (1 - width)*s), rate(b, (1 + width)*s)
             );
         }

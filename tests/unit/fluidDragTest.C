@@ -71,22 +71,20 @@ class nearDrag
 :
     public oneDrag
 {
-    const Foam::List<vector> all_;
-
 public:
 
     nearDrag(const std::function<scalar(scalar)>& rate, const vector& u)
     :
-        oneDrag(rate, u),
-        all_(1, u)
+        oneDrag(rate, u)
     {}
 
     void expandAt(const scalar s)
     {
-        startExpansion(1, all_);
+        startExpansion(1);
         expand
         (
             0,
+            fluidVelocity(0),
             1,
             s,
             rate(0, s),

@@ -9,16 +9,19 @@ License
 Description
     Linear interpolation to points: a linear field is exact on any mesh, the
     weights are between 0 and 1, and what is found does not depend on where the
-    points were before; the cells of bodies on their way, too.
+    points were before; in cells that are boxes it is what their tetrahedra
+    have; the cells of bodies on their way, too.
 
 \*---------------------------------------------------------------------------*/
 
+#include "barycentric.H"
 #include "bodyCells.H"
 #include "demCase.H"
 #include "figure.H"
 #include "pointWeights.H"
 #include "Random.H"
 #include "testMeshes.H"
+#include "tetPointRef.H"
 
 using namespace Foam;
 using namespace styxTest;
@@ -176,6 +179,105 @@ TEST(pointWeights, mirrored)
 }
 
 
+TEST(pointWeights, boxes)
+{
+    // Cubes, oblique boxes, and cells with one vertex moved, which are none
+    const tensor oblique(1, 0.3, -0.2, 0.1, 0.7, 0.25, 0, -0.15, 1.2);
+    scalar off = 0, outside = 0;
+    label nBoxes = 0, nOthers = 0;
+    for (label kind = 0; kind < 3; ++kind)
+    {
+        const blockMesh block(blockMesh::kind::hex, 1, 4);
+        polyMesh& mesh = const_cast<polyMesh&>(block());
+        pointField moved(mesh.points());
+        if (kind == 1)
+        {
+            moved = oblique & moved;
+        }
+        if (kind == 2)
+        {
+            for (point& p : moved)
+            {
+                p += mag(p) < 1e-6 ? vector(0.03, 0.01, 0.02) : vector(Zero);
+            }
+        }
+        mesh.movePoints(moved);
+        mesh.tetBasePtIs();
+
+        // Any values, not those of a linear field
+        Random random(3);
+        scalarField inCells(mesh.nCells()), onPoints(mesh.nPoints());
+        for (scalar& value : inCells)
+        {
+            value = random.sample01<scalar>();
+        }
+        for (scalar& value : onPoints)
+        {
+            value = random.sample01<scalar>();
+        }
+
+        coupling::cellBoxes boxes(mesh);
+        coupling::pointWeights weights(mesh);
+        for (label k = 0; k < 3000; ++k)
+        {
+            // A tetrahedron of a cell, and a point in it
+            const label c = random.position<label>(0, mesh.nCells() - 1);
+            const label f = mesh.cells()[c][random.position<label>(0, 5)];
+            const face& corners = mesh.faces()[f];
+            const label i = random.position<label>(0, 3);
+            const label one = corners[i], other = corners[(i + 1) % 4];
+            point middle = Zero;
+            scalar mean = 0;
+            for (const label v : corners)
+            {
+                middle += 0.25*mesh.points()[v];
+                mean += 0.25*onPoints[v];
+            }
+            const tetPointRef tet
+            (
+                mesh.cellCentres()[c],
+                mesh.points()[one],
+                mesh.points()[other],
+                middle
+            );
+            const barycentric w(barycentric01(random));
+            const point x(tet.barycentricToPoint(w));
+            const scalar value =
+                w[0]*inCells[c] + w[1]*onPoints[one] + w[2]*onPoints[other]
+              + w[3]*mean;
+
+            weights.find(pointField({x}), labelList({0}), labelList({c}));
+            off = max
+            (
+                off,
+                mag(weights.value<scalar>(0, inCells, onPoints) - value)
+            );
+            const coupling::cellBoxes::box* box = boxes.of(c);
+            nBoxes += box != nullptr;
+            nOthers += box == nullptr;
+
+            // A point outside takes what there is on the surface
+            if (box)
+            {
+                FixedList<label, 4> vertices;
+                FixedList<scalar, 5> ws;
+                box->locate(x + 3*(x - box->centre), vertices, ws);
+                for (const scalar each : ws)
+                {
+                    outside = max(outside, max(each - 1, -each));
+                }
+            }
+        }
+    }
+    EXPECT_GT(nBoxes, 6000);
+    EXPECT_GT(nOthers, 100);
+    figure("pointWeights_boxes", off, -noBar, 1e-12, "-",
+        "any values, in the tetrahedra of cubes, oblique boxes, others");
+    figure("pointWeights_boxesBounded", outside, -noBar, 1e-12, "-",
+        "weights from 0 to 1 outside of a box");
+}
+
+
 TEST(pointWeights, bodyCells)
 {
     PtrList<dem::shape> shapes(1);
@@ -204,6 +306,21 @@ TEST(pointWeights, bodyCells)
             other += found[b] != bins.find(state.x[b]);
             state.x[b] += 0.01*(random.sample01<vector>() - 0.5*vector::one);
         }
+    }
+
+    // While they are said to be still nobody looks, unless there are others
+    const labelList before(cells.find(state));
+    cells.setStill(true);
+    forAll(state.x, b)
+    {
+        state.x[b] = -state.x[b];
+    }
+    EXPECT_EQ(cells.find(state), before);
+    state.id[0] = 5000;
+    const labelList& after = cells.find(state);
+    forAll(state.x, b)
+    {
+        other += after[b] != bins.find(state.x[b]);
     }
     figure("bodyCells_walk", other, 0, 0, "bodies",
         "those that are looked for from nowhere, 2000 bodies, 200 steps");

@@ -268,6 +268,7 @@ void Foam::demCloud::beginStep()
             watchSolids();
         }
         meters_->begin(*dem_);
+        cells_.setStill(false);
         advancing_ = true;
         advanceBodies(t0, t1);
         advancing_ = false;
@@ -280,6 +281,9 @@ void Foam::demCloud::beginStep()
     {
         ledger::entry e(ledger_, "bodies on the mesh (void fraction)");
         exchanged_->project();
+
+        // Those that fill cells may yet be moved, and others by other ranks
+        cells_.setStill(!immersed_.valid() && !dem_->group().shared());
     }
 
     // Bodies that stay in cells that stay are found once

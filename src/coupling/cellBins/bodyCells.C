@@ -65,6 +65,10 @@ const Foam::labelList& Foam::coupling::bodyCells::find
 {
     const bool known = id_ == state.id && version_ == bins_.version();
     version_ = bins_.version();
+    if (known && still_)
+    {
+        return cell_;
+    }
     if (known)
     {
         forAll(state.x, b)

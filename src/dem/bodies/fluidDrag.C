@@ -105,7 +105,7 @@ Foam::scalar Foam::dem::fluidDrag::meanRate
 }
 
 
-bool Foam::dem::fluidDrag::meanRateNear
+inline bool Foam::dem::fluidDrag::meanRateNear
 (
     const dragRecord& l,
     const vector& slip,
@@ -140,12 +140,11 @@ bool Foam::dem::fluidDrag::meanRateNear
 void Foam::dem::fluidDrag::takeExpansion
 (
     const fluidDrag& from,
-    const labelUList& source,
-    const UList<vector>& u
+    const labelUList& source
 )
 {
     const bool expanded = from.near_.size();
-    startExpansion(expanded ? source.size() : 0, u);
+    startExpansion(expanded ? source.size() : 0);
     forAll(near_, b)
     {
         near_[b] =
@@ -167,7 +166,7 @@ Foam::vector Foam::dem::fluidDrag::kick
 ) const
 {
     const bool known = b < near_.size();
-    const vector slip = (known ? u_[b] : fluidVelocity(b)) - v;
+    const vector slip = slipNear(b, v);
     const vector free = (known ? near_[b].massShare : massShare(b))*a;
     scalar k;
     if (known && meanRateNear(near_[b], slip, free, h, k))

@@ -24,9 +24,10 @@ Foam::scalar phi(const Foam::scalar z)
 }
 
 
-//- Set what body b has in a list that is empty while no body has any
+//- Set what body b has in a list that is empty while no body has any, as it
+//  mostly is
 template<class Type>
-void keep
+inline void keep
 (
     const Foam::label b,
     const Foam::label n,
@@ -35,14 +36,15 @@ void keep
 )
 {
     const Type none = Foam::pTraits<Type>::zero;
-    if (list.empty() && value != none)
+    if (list.empty())
     {
+        if (value == none)
+        {
+            return;
+        }
         list.setSize(n, none);
     }
-    if (list.size())
-    {
-        list[b] = value;
-    }
+    list[b] = value;
 }
 
 } // End anonymous namespace
@@ -282,6 +284,7 @@ void Foam::coupling::pointForces::followBody(const label b)
     expand
     (
         b,
+        fluidVelocity_[b],
         massShare(b),
         slip,
         rate(b, slip),
@@ -342,7 +345,13 @@ void Foam::coupling::pointForces::actOnPoints
     {
         const label b = first + i;
         const element e(elementOf(seen_[i], block_[i].d));
-        elements_[b] = e;
+
+        // Number by number: g++ would copy it by halves that were stored as
+        // numbers just before, and wait for these
+        element& kept = elements_[b];
+        kept.stokes = e.stokes;
+        kept.ReOverSlip = e.ReOverSlip;
+        kept.voidFraction = e.voidFraction;
         fluidVelocity_[b] = seen_[i].u;
         slip_[i] = mag(seen_[i].u - block_[i].v);
         Re_[i] = e.ReOverSlip*slip_[i];
@@ -363,6 +372,7 @@ void Foam::coupling::pointForces::actOnPoints
         expand
         (
             b,
+            seen_[i].u,
             addedMass_.empty() ? 1 : massShare(b),
             slip_[i],
             perSlip*f[0],

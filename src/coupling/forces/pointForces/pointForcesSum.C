@@ -12,6 +12,8 @@ License
 #include "SubList.H"
 #include "volFields.H"
 
+#include <algorithm>
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::coupling::pointForces::findElements()
@@ -129,8 +131,12 @@ void Foam::coupling::pointForces::sumForces
     {
         block_[i] = bodyOf(first + i, t, dt);
         sampler_->get(first + i, seen_[i]);
-        sums_[i] = pointSum();
     }
+
+    // All zeros, by wide stores
+    static_assert(sizeof(pointSum) % sizeof(scalar) == 0, "a list of numbers");
+    scalar* const sums = reinterpret_cast<scalar*>(sums_.data());
+    std::fill(sums, sums + n*(sizeof(pointSum)/sizeof(scalar)), scalar(0));
     times_.pass();
 
     // Force by force, so that the time of each is known
@@ -201,7 +207,7 @@ void Foam::coupling::pointForces::sample
     addedMass_.clear();
     lost_.clear();
     sampled_.setSize(watched_ ? n : 0);
-    startExpansion(followsBody_ ? n : 0, fluidVelocity_);
+    startExpansion(followsBody_ ? n : 0);
     range_ = drag_.valid() ? drag_->range() : range_;
     turned_ = turns_ || kinds_.mixed();
     turns_ = false;
@@ -213,7 +219,7 @@ void Foam::coupling::pointForces::sample
     const bool points =
         drag_.valid() && shapeSeen_.empty() && !sumOfSpheres_
      && !kinds_.mixed();
-    const label blockSize = 128;
+    const label blockSize = 64;
     for (label first = 0; first < n; first += blockSize)
     {
         const label size = min(blockSize, n - first);

@@ -38,9 +38,16 @@ Foam::coupling::pointMeans::at
     );
     Field<Type>& values = means.ref().primitiveFieldRef();
 
-    for (const share& s : cells_)
+    // Point by point: a sum in memory would wait for itself
+    for (label i = 0; i < cells_.size();)
     {
-        values[s.point] += s.weight*field[s.of];
+        const label pointi = cells_[i].point;
+        Type sum = pTraits<Type>::zero;
+        for (; i < cells_.size() && cells_[i].point == pointi; ++i)
+        {
+            sum += cells_[i].weight*field[cells_[i].of];
+        }
+        values[pointi] = sum;
     }
     label i = 0;
     forAll(end_, patchi)

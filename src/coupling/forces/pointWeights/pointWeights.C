@@ -23,7 +23,7 @@ bool Foam::coupling::pointWeights::set
     const Foam::face& f = mesh_.faces()[face];
     const pointField& points = mesh_.points();
     t.cell = c;
-    t.centre = mesh_.cellCentres()[c];
+    const point& centre = mesh_.cellCentres()[c];
     point third;
     if (f.size() == 4)
     {
@@ -33,7 +33,6 @@ bool Foam::coupling::pointWeights::set
             t.vertex[i] = f[(triangle + i) % 4];
             third += 0.25*points[f[i]];
         }
-        t.quarter = 0.25;
     }
     else
     {
@@ -42,13 +41,12 @@ bool Foam::coupling::pointWeights::set
         t.vertex[0] = f[base];
         t.vertex[1] = f[first];
         t.vertex[2] = t.vertex[3] = f[f.fcIndex(first)];
-        t.quarter = 0;
         third = points[t.vertex[2]];
     }
 
-    const vector e1 = points[t.vertex[0]] - t.centre;
-    const vector e2 = points[t.vertex[1]] - t.centre;
-    const vector e3 = third - t.centre;
+    const vector e1 = points[t.vertex[0]] - centre;
+    const vector e2 = points[t.vertex[1]] - centre;
+    const vector e3 = third - centre;
     const vector n1 = e2 ^ e3;
     const scalar volume6 = e1 & n1;
     if (mag(volume6) < 1e-12*mesh_.cellVolumes()[c])
@@ -115,11 +113,30 @@ Foam::coupling::pointWeights::search
 }
 
 
+void Foam::coupling::pointWeights::look
+(
+    const point& x,
+    const label i,
+    const label n,
+    const label c,
+    weighted& found
+)
+{
+    last_.setSize(n);
+    tetrahedron& t = last_[i];
+    if (!holds(x, t, c, found))
+    {
+        t = search(x, c, found);
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::coupling::pointWeights::pointWeights(const polyMesh& mesh)
 :
-    mesh_(mesh)
+    mesh_(mesh),
+    boxes_(mesh)
 {}
 
 

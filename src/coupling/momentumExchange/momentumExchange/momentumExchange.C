@@ -96,7 +96,7 @@ void Foam::coupling::momentumExchange::findImpulses()
     for (label b = 0; b < n; ++b)
     {
         v_[b] = state.v[b];
-        const vector slip = forces_.fluidVelocity(b) - v_[b];
+        const vector slip = forces_.slipNear(b, v_[b]);
         const scalar k =
             state.drag || !feels_ ? forces_.rateNear(b, mag(slip)) : 0;
         const scalar m = state.mass[b];
