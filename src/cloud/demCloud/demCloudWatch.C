@@ -332,7 +332,9 @@ void Foam::demCloud::switchEffect(const word& name, const bool on)
 {
     if (name == "contacts")
     {
+        // Those that have come to overlap are moved apart
         dem_->setMeets(on, false);
+        cells_.setStill(false);
     }
     else if (name == "exchange")
     {
